@@ -1,0 +1,297 @@
+# Declares topics, chapters and tests.
+#
+# A file of the shared library belongs to one topic and to the chapter that introduces it. Each pair (topic, chapter)
+# is one library target, caustic_<topic>_<NN>; the library of chapter N is every target tagged <= N. So chapter N can
+# link nothing that a later chapter adds. What the linker cannot see (headers), tools/chapter_order.py checks in the
+# compiler's dependency files.
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_VERIFY_INTERFACE_HEADER_SETS ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
+include(GoogleTest)
+
+find_program(CAUSTIC_CCACHE ccache)
+if(CAUSTIC_CCACHE AND NOT CAUSTIC_COVERAGE)
+  # Paths relative to the tree let a student's tree, the gates and the mutants share what is compiled once.
+  set(CMAKE_CXX_COMPILER_LAUNCHER
+      "${CMAKE_COMMAND}" -E env "CCACHE_BASEDIR=${CMAKE_SOURCE_DIR}" CCACHE_NOHASHDIR=1 "${CAUSTIC_CCACHE}")
+endif()
+
+# Options of every target of ours: warnings, architecture, floating point.
+add_library(caustic_options INTERFACE)
+target_compile_options(caustic_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor -Woverloaded-virtual -Wold-style-cast
+  -Wdouble-promotion -Wimplicit-fallthrough -Werror
+  # Contraction turns a*b - c*d into something that is not antisymmetric any more: the watertight triangle leaks with it.
+  -ffp-contract=off)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # GCC 12 sees overlaps in "literal" + std::string that are not there (GCC bug 105329).
+  target_compile_options(caustic_options INTERFACE -Wno-restrict)
+endif()
+if(CAUSTIC_STUDENT)
+  target_compile_options(caustic_options INTERFACE -Wno-unused-parameter -Wno-unused-variable -Wno-unused-function
+    -Wno-unused-but-set-variable)
+endif()
+if(CAUSTIC_ARCH STREQUAL "native")
+  target_compile_options(caustic_options INTERFACE -march=native)
+elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  target_compile_options(caustic_options INTERFACE -march=x86-64-v3)
+endif()
+if(CAUSTIC_SANITIZE)
+  target_compile_options(caustic_options INTERFACE -fsanitize=${CAUSTIC_SANITIZE} -fno-omit-frame-pointer
+    -fno-sanitize-recover=all)
+  target_link_options(caustic_options INTERFACE -fsanitize=${CAUSTIC_SANITIZE})
+endif()
+if(CAUSTIC_SANITIZE MATCHES "thread")
+  target_compile_definitions(caustic_options INTERFACE CAUSTIC_STD_THREADS)
+endif()
+if(CAUSTIC_COVERAGE)
+  target_compile_options(caustic_options INTERFACE --coverage)
+  target_link_options(caustic_options INTERFACE --coverage)
+endif()
+
+# "1" and "01" -> "01".
+function(_caustic_two_digits out number)
+  string(REGEX REPLACE "^0+" "" plain "${number}")
+  if(plain LESS 10)
+    set(plain "0${plain}")
+  endif()
+  set(${out} "${plain}" PARENT_SCOPE)
+endfunction()
+
+# All library targets of a topic that are tagged <= chapter.
+function(_caustic_topic_targets out topic chapter)
+  get_property(tags GLOBAL PROPERTY CAUSTIC_TAGS_${topic})
+  set(targets "")
+  foreach(tag IN LISTS tags)
+    if(tag LESS_EQUAL chapter)
+      _caustic_two_digits(nn ${tag})
+      list(APPEND targets caustic_${topic}_${nn})
+    endif()
+  endforeach()
+  set(${out} "${targets}" PARENT_SCOPE)
+endfunction()
+
+# caustic_topic(<topic> [USES <topic>...] CHAPTER <n> <file>... [LIBRARIES <library>...] [CHAPTER ...])
+#
+# Declares the files of the topic in the current folder. LIBRARIES behind a CHAPTER are what that chapter's files need
+# from outside. A header is included as "topic/name.h".
+function(caustic_topic topic)
+  set(uses "")
+  set(tags "")
+  set(mode "")
+  foreach(word IN LISTS ARGN)
+    if(word MATCHES "^(USES|CHAPTER|LIBRARIES)$")
+      set(mode ${word})
+    elseif(mode STREQUAL "USES")
+      list(APPEND uses ${word})
+    elseif(mode STREQUAL "CHAPTER")
+      set(tag ${word})
+      list(APPEND tags ${tag})
+      set(mode FILES)
+    elseif(mode STREQUAL "FILES")
+      list(APPEND files_${tag} ${word})
+    elseif(mode STREQUAL "LIBRARIES")
+      list(APPEND libraries_${tag} ${word})
+    else()
+      message(FATAL_ERROR "caustic_topic(${topic}): '${word}' belongs to no USES, CHAPTER or LIBRARIES")
+    endif()
+  endforeach()
+
+  foreach(used IN LISTS uses)
+    get_property(known GLOBAL PROPERTY CAUSTIC_TAGS_${used} SET)
+    if(NOT known)
+      message(FATAL_ERROR "caustic_topic(${topic}): it uses '${used}', which is not declared before it")
+    endif()
+  endforeach()
+  list(SORT tags COMPARE NATURAL)
+  set_property(GLOBAL PROPERTY CAUSTIC_TAGS_${topic} "${tags}")
+  set_property(GLOBAL PROPERTY CAUSTIC_USES_${topic} "${uses}")
+  set_property(GLOBAL APPEND PROPERTY CAUSTIC_TOPICS ${topic})
+
+  cmake_path(GET CMAKE_CURRENT_SOURCE_DIR PARENT_PATH include_root)
+  file(RELATIVE_PATH folder "${CMAKE_SOURCE_DIR}" "${CMAKE_CURRENT_SOURCE_DIR}")
+  set(lower "")
+  foreach(tag IN LISTS tags)
+    _caustic_two_digits(nn ${tag})
+    set(target caustic_${topic}_${nn})
+    set(headers ${files_${tag}})
+    list(FILTER headers INCLUDE REGEX "\\.h$")
+    set(sources ${files_${tag}})
+    list(FILTER sources INCLUDE REGEX "\\.cpp$")
+    if(sources)
+      add_library(${target} STATIC ${sources})
+      set(scope PUBLIC)
+    else()
+      add_library(${target} INTERFACE)
+      set(scope INTERFACE)
+    endif()
+    list(TRANSFORM headers PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/")
+    target_sources(${target} ${scope} FILE_SET HEADERS BASE_DIRS "${include_root}" FILES ${headers})
+    target_link_libraries(${target} ${scope} caustic_options ${lower} ${libraries_${tag}})
+    foreach(used IN LISTS uses)
+      _caustic_topic_targets(targets ${used} ${tag})
+      target_link_libraries(${target} ${scope} ${targets})
+    endforeach()
+    list(APPEND lower ${target})
+
+    foreach(file IN LISTS files_${tag})
+      set_property(GLOBAL APPEND_STRING PROPERTY CAUSTIC_FILE_TAGS "${folder}/${file} ${topic} ${tag}\n")
+    endforeach()
+  endforeach()
+endfunction()
+
+# Interface target with everything that chapter <n> may use: caustic_upto_<NN>.
+function(_caustic_chapter_library out chapter)
+  _caustic_two_digits(nn ${chapter})
+  set(target caustic_upto_${nn})
+  if(NOT TARGET ${target})
+    add_library(${target} INTERFACE)
+    get_property(topics GLOBAL PROPERTY CAUSTIC_TOPICS)
+    foreach(topic IN LISTS topics)
+      _caustic_topic_targets(targets ${topic} ${chapter})
+      target_link_libraries(${target} INTERFACE ${targets})
+    endforeach()
+  endif()
+  set(${out} ${target} PARENT_SCOPE)
+endfunction()
+
+# Generates <binary dir>/<NN_name>/chapter_inputs.h: the hash of every source that can change the chapter's figures.
+# It is made anew when one of them changes, so an executable always carries the hash of what it was built from.
+function(_caustic_inputs_header chapter name target)
+  set(header "${CMAKE_CURRENT_BINARY_DIR}/${name}/chapter_inputs.h")
+  get_property(table GLOBAL PROPERTY CAUSTIC_FILE_TAGS)
+  string(REGEX MATCHALL "[^\n]+" rows "${table}")
+  set(depends "")
+  foreach(row IN LISTS rows)
+    string(REGEX MATCH "^([^ ]+) ([^ ]+) ([0-9]+)$" matched "${row}")
+    if(CMAKE_MATCH_3 LESS_EQUAL chapter)
+      list(APPEND depends "${CMAKE_SOURCE_DIR}/${CMAKE_MATCH_1}")
+    endif()
+  endforeach()
+  # Paths only decide when to hash again; which assets a figure reads, it says itself when it opens them.
+  file(GLOB_RECURSE assets CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/assets/*")
+  list(APPEND depends ${assets})
+  file(GLOB own CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp" "${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.h"
+    "${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.gp" "${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.json")
+  add_custom_command(OUTPUT "${header}"
+    COMMAND Python3::Interpreter "${CMAKE_SOURCE_DIR}/tools/inputs.py" "${CMAKE_BINARY_DIR}/declarations.json" "${name}" "${header}"
+    DEPENDS ${depends} ${own} "${CMAKE_SOURCE_DIR}/tools/inputs.py"
+    COMMENT "Hashing the inputs of ${name}" VERBATIM)
+  target_sources(${target} PRIVATE "${header}")
+  target_include_directories(${target} PRIVATE "${CMAKE_CURRENT_BINARY_DIR}/${name}")
+endfunction()
+
+# caustic_chapter(<NN_name> FIGURES <file>... [LIBRARIES <library>...])
+#
+# Declares chapters/NN_name: the executable NN_name from main.cpp, and a library <NN_name>_parts from the folder's other
+# sources, so that tests can reach them. FIGURES are the PNG files that the chapter writes.
+function(caustic_chapter name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "FIGURES;LIBRARIES")
+  string(REGEX MATCH "^([0-9][0-9])_" matched "${name}")
+  if(NOT matched)
+    message(FATAL_ERROR "caustic_chapter(${name}): a chapter's name starts with its number, as in 01_bezier_curves")
+  endif()
+  set(nn ${CMAKE_MATCH_1})
+  string(REGEX REPLACE "^0+" "" chapter ${nn})
+  _caustic_chapter_library(library ${chapter})
+
+  file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp")
+  list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")
+  if(sources)
+    add_library(${name}_parts STATIC ${sources})
+    set(scope PUBLIC)
+  else()
+    add_library(${name}_parts INTERFACE)
+    set(scope INTERFACE)
+  endif()
+  target_include_directories(${name}_parts ${scope} "${CMAKE_CURRENT_SOURCE_DIR}/${name}")
+  target_link_libraries(${name}_parts ${scope} ${library} ${arg_LIBRARIES})
+
+  add_executable(${name} "${name}/main.cpp")
+  target_link_libraries(${name} PRIVATE ${name}_parts)
+  _caustic_inputs_header(${chapter} ${name} ${name})
+
+  set_property(GLOBAL APPEND PROPERTY CAUSTIC_CHAPTERS ${name})
+  set_property(GLOBAL PROPERTY CAUSTIC_FIGURES_${name} "${arg_FIGURES}")
+endfunction()
+
+# caustic_program(<NN_name> <program> SOURCES <file>... [LIBRARIES <library>...])
+#
+# A further executable of a chapter (the editor, say); its sources lie in a folder of their own below the chapter's.
+function(caustic_program name program)
+  cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "SOURCES;LIBRARIES")
+  list(TRANSFORM arg_SOURCES PREPEND "${name}/")
+  add_executable(${program} ${arg_SOURCES})
+  target_link_libraries(${program} PRIVATE ${name}_parts ${arg_LIBRARIES})
+endfunction()
+
+# caustic_tests(<NN_name> [LIBRARIES <library>...])
+#
+# Test programs of a chapter, one a kind: tests/NN_name/{graded,property,stability}_*.cpp -> <kind>_<NN>. Graded tests
+# see the library only, so that they build from what a student has; the other kinds see the chapter's own parts too.
+# Registered with ctest as <NN>.<kind>.<Suite>.<Test>, labels <NN> and <kind>.
+function(caustic_tests name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "LIBRARIES")
+  string(SUBSTRING ${name} 0 2 nn)
+  string(REGEX REPLACE "^0+" "" chapter ${nn})
+  _caustic_chapter_library(library ${chapter})
+  foreach(kind graded property stability)
+    file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/${name}/${kind}_*.cpp")
+    if(NOT sources)
+      continue()
+    endif()
+    set(target ${kind}_${nn})
+    add_executable(${target} ${sources})
+    _caustic_topic_targets(support support ${chapter})
+    target_link_libraries(${target} PRIVATE ${support} ${library})
+    if(NOT kind STREQUAL "graded")
+      target_link_libraries(${target} PRIVATE ${name}_parts ${arg_LIBRARIES})
+    endif()
+    target_compile_definitions(${target} PRIVATE "CAUSTIC_SOURCE_DIR=\"${CMAKE_SOURCE_DIR}\""
+      "CAUSTIC_CHAPTER_PROGRAM=\"$<TARGET_FILE:${name}>\"")
+    if(NOT kind STREQUAL "graded")
+      add_dependencies(${target} ${name})
+    endif()
+    gtest_discover_tests(${target} TEST_PREFIX "${nn}.${kind}." DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
+      PROPERTIES LABELS "${nn};${kind}" TIMEOUT 300)
+  endforeach()
+endfunction()
+
+# Writes what the Python tools need to know of the declarations: <binary dir>/declarations.json.
+function(caustic_finish)
+  get_property(table GLOBAL PROPERTY CAUSTIC_FILE_TAGS)
+  get_property(topics GLOBAL PROPERTY CAUSTIC_TOPICS)
+  set(json "{\n  \"topics\": {")
+  set(comma "")
+  foreach(topic IN LISTS topics)
+    get_property(uses GLOBAL PROPERTY CAUSTIC_USES_${topic})
+    list(JOIN uses "\", \"" quoted)
+    if(uses)
+      set(quoted "\"${quoted}\"")
+    endif()
+    string(APPEND json "${comma}\n    \"${topic}\": [${quoted}]")
+    set(comma ",")
+  endforeach()
+  string(APPEND json "\n  },\n  \"files\": {")
+  string(REGEX MATCHALL "[^\n]+" rows "${table}")
+  set(comma "")
+  foreach(row IN LISTS rows)
+    string(REGEX REPLACE "^([^ ]+) ([^ ]+) ([0-9]+)$" "    \"\\1\": {\"topic\": \"\\2\", \"chapter\": \\3}" entry "${row}")
+    string(APPEND json "${comma}\n${entry}")
+    set(comma ",")
+  endforeach()
+  string(APPEND json "\n  },\n  \"chapters\": {")
+  get_property(chapters GLOBAL PROPERTY CAUSTIC_CHAPTERS)
+  set(comma "")
+  foreach(chapter IN LISTS chapters)
+    get_property(figures GLOBAL PROPERTY CAUSTIC_FIGURES_${chapter})
+    list(JOIN figures "\", \"" quoted)
+    string(APPEND json "${comma}\n    \"${chapter}\": [\"${quoted}\"]")
+    set(comma ",")
+  endforeach()
+  string(APPEND json "\n  }\n}\n")
+  file(CONFIGURE OUTPUT "${CMAKE_BINARY_DIR}/declarations.json" CONTENT "${json}" @ONLY)
+endfunction()

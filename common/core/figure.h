@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace caustic {
+
+class Progress;
+
+/// How much work a figure may take: a draft to look at (all figures within minutes), or what goes into the report.
+enum class Quality { Draft, Report };
+
+/// What an executable was built from; generated as `thisChapter` in chapter_inputs.h.
+struct ChapterInputs {
+    std::string name;                           ///< "01_bezier_curves"
+    std::filesystem::path sourceDir;            ///< top of the repository
+    std::string sourcesHash;                    ///< SHA-256 over the sources that the chapter is made of
+    std::map<std::string, std::string> assets;  ///< path below sourceDir -> SHA-256
+};
+
+/// What the user asked for.
+struct ChapterOptions {
+    std::filesystem::path out = "figures";  ///< figures go to <out>/<chapter>/
+    Quality quality = Quality::Draft;
+    int threads = 1;  ///< at least 1
+    std::uint64_t seed = 1;
+    bool preview = false;
+};
+
+/// What the function that draws a figure gets: where to write, how much work to do, and a record of both.
+class FigureContext {
+public:
+    FigureContext(const ChapterInputs& inputs, const ChapterOptions& options, Progress& progress)
+        : inputs_(&inputs), options_(&options), progress_(&progress) {}
+
+    /// Where to write the output file of this name; remembers it for provenance.json.
+    std::filesystem::path output(const std::string& file);
+
+    /// Where to read an asset, named by its path below the repository ("assets/profiles/wine_glass.svg"); remembers it
+    /// as an input of the figure.
+    /// @throws InputError when there is no such asset
+    std::filesystem::path asset(const std::string& path);
+
+    /// Draws a chart: runs gnuplot on the common style and then on the script of that name in the chapter's folder. The
+    /// script finds the folder of the CSV files in the variable `folder`.
+    void chart(const std::string& script, const std::string& png);
+
+    Quality quality() const { return options_->quality; }
+    /// One of two values, by quality.
+    template <typename Value>
+    Value byQuality(Value draft, Value report) const {
+        return quality() == Quality::Draft ? draft : report;
+    }
+    int threads() const { return options_->threads; }
+    std::uint64_t seed() const { return options_->seed; }
+    Progress& progress() { return *progress_; }
+
+    const std::vector<std::string>& outputs() const { return outputs_; }
+    const std::vector<std::string>& assets() const { return assets_; }
+
+private:
+    const ChapterInputs* inputs_;
+    const ChapterOptions* options_;
+    Progress* progress_;
+    std::vector<std::string> outputs_;
+    std::vector<std::string> assets_;
+};
+
+/// A row of a chapter's table of contents.
+struct Figure {
+    std::string name;  ///< as --only takes it
+    std::function<void(FigureContext&)> draw;
+    bool timed = false;  ///< whether it shows measured times, and so differs from run to run
+};
+
+}  // namespace caustic

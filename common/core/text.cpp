@@ -1,0 +1,62 @@
+#include "core/text.h"
+
+#include <array>
+#include <charconv>
+#include <fstream>
+
+#include "core/error.h"
+
+namespace caustic {
+
+std::string formatReal(double value) {
+    std::array<char, 32> buffer{};
+    const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+    (void)error;  // 32 characters hold every double
+    return {buffer.data(), end};
+}
+
+std::optional<double> parseReal(std::string_view text) {
+    if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+    return value;
+}
+
+std::optional<long long> parseInteger(std::string_view text) {
+    if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+    long long value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+    return value;
+}
+
+std::string_view trimmed(std::string_view text) {
+    constexpr std::string_view space = " \t\r\n\f\v";
+    const auto first = text.find_first_not_of(space);
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(space) - first + 1);
+}
+
+std::string readTextFile(const std::filesystem::path& path, std::size_t mostBytes) {
+    std::error_code failure;
+    const auto status = std::filesystem::status(path, failure);
+    if (!std::filesystem::exists(status)) throw InputError({path.string(), 0}, "", "no such file");
+    if (std::filesystem::is_directory(status)) throw InputError({path.string(), 0}, "", "is a folder, not a file");
+    std::ifstream file(path, std::ios::binary);
+    if (!file) throw InputError({path.string(), 0}, "", "cannot be opened for reading");
+
+    // Read by blocks and count: the size that the file system states is 0 for pipes and wrong for growing files.
+    std::string text;
+    std::array<char, 1 << 16> block{};
+    while (file.read(block.data(), block.size()) || file.gcount() > 0) {
+        text.append(block.data(), static_cast<std::size_t>(file.gcount()));
+        if (text.size() > mostBytes) {
+            throw InputError({path.string(), 0}, "", "is larger than " + std::to_string(mostBytes >> 20) + " MiB");
+        }
+    }
+    if (file.bad()) throw InputError({path.string(), 0}, "", "cannot be read to its end");
+    return text;
+}
+
+}  // namespace caustic

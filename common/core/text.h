@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace caustic {
+
+/// Shortest decimal text that reads back as the same number; the same on every locale. "nan", "inf" for those.
+std::string formatReal(double value);
+
+/// Reads the whole of `text` as one number, in the "C" locale. Nothing for rubbish, trailing characters, or a value
+/// that a double cannot hold (1e400); "nan" and "inf" are read as such.
+std::optional<double> parseReal(std::string_view text);
+
+/// Reads the whole of `text` as one integer; nothing for rubbish or overflow.
+std::optional<long long> parseInteger(std::string_view text);
+
+/// Without white space at either end.
+std::string_view trimmed(std::string_view text);
+
+/// Reads a text file.
+/// @param mostBytes  a larger file is refused before it is read
+/// @throws InputError when it is missing, a folder, unreadable or too large
+std::string readTextFile(const std::filesystem::path& path, std::size_t mostBytes);
+
+}  // namespace caustic
