@@ -1,0 +1,91 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "image/image.h"
+#include "image/palette.h"
+#include "math/bounds.h"
+#include "math/vector.h"
+
+namespace caustic {
+
+/// How a line looks. Lengths in pixels.
+struct Stroke {
+    Ink ink = palette::dark;
+    Real width = 2;
+    Real dash = 0;  ///< length of dashes and of the gaps between them; at least 1, or 0 for a solid line
+};
+
+/// Which point of a text stands at the place where it is put.
+enum class HorizontalAnchor { Left, Centre, Right };
+enum class VerticalAnchor { Baseline, Middle };  ///< Middle: half the height of a capital letter
+
+/// How a text looks.
+struct TextStyle {
+    Real size = 16;  ///< height of the font (its em), pixels
+    Ink ink = palette::text;
+    bool bold = false;
+    HorizontalAnchor horizontal = HorizontalAnchor::Left;
+    VerticalAnchor vertical = VerticalAnchor::Baseline;
+};
+
+/// A picture to draw on: lines, shapes and text, anti-aliased by drawing `samples` times larger along both axes.
+///
+/// Places are in pixels of the finished picture, x to the right and y down from its upper left corner; the centre of
+/// its first pixel is (0.5, 0.5). What lies outside is cut off. Coordinates must be finite (InputError otherwise). The
+/// same calls give the same bytes, whatever the threads. Text is UTF-8, set in DejaVu Sans; its ink's alpha is not
+/// heeded.
+class Drawing {
+public:
+    static constexpr int largestSide = 4096;
+
+    /// @param samples  per pixel and axis; 4 for figures, fewer where speed counts
+    /// @throws InputError for sides outside [1, largestSide] or samples outside [1, 8]
+    Drawing(int width, int height, const Ink& paper = palette::white, int samples = 4);
+    ~Drawing();
+    Drawing(Drawing&&) noexcept;
+    Drawing& operator=(Drawing&&) noexcept;
+
+    int width() const;
+    int height() const;
+
+    /// Paints everything over.
+    void clear(const Ink& paper);
+
+    void line(const Vec2& from, const Vec2& to, const Stroke& stroke);
+    /// Straight lines from point to point with round ends and corners; `closed` leads back to the first.
+    void polyline(const std::vector<Vec2>& points, const Stroke& stroke, bool closed = false);
+    /// A line with a filled head whose tip is at `to`.
+    void arrow(const Vec2& from, const Vec2& to, const Stroke& stroke);
+
+    /// Filled polygon, even-odd where it crosses itself.
+    void polygon(const std::vector<Vec2>& points, const Ink& fill);
+    void rectangle(const Bounds2& box, const Ink& fill);
+    void rectangle(const Bounds2& box, const Stroke& outline);
+    void circle(const Vec2& centre, Real radius, const Ink& fill);
+    void circle(const Vec2& centre, Real radius, const Stroke& outline);
+
+    void text(const Vec2& place, const std::string& utf8, const TextStyle& style = {});
+    /// How far a text reaches to the right, in pixels.
+    Real textWidth(const std::string& utf8, const TextStyle& style = {}) const;
+
+    /// An image (sRGB-encoded, values clamped) stretched over a box; its pixels stay squares with sharp edges.
+    void image(const Image& image, const Bounds2& box);
+
+    /// The finished picture: 8-bit blue, green, red per pixel, rows from the top (the order of OpenCV's windows).
+    std::vector<std::uint8_t> bgr() const;
+
+    /// Writes the finished picture through a temporary file and a rename.
+    /// @throws InputError when the file cannot be written or its extension is not .png
+    void save(const std::filesystem::path& path) const;
+
+private:
+    class Canvas;
+    std::unique_ptr<Canvas> canvas_;
+};
+
+}  // namespace caustic

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+namespace caustic {
+
+/// The kinds of image file that the course reads.
+enum class ImageFormat { Png, Jpeg, OpenExr, Radiance };
+
+/// What the first bytes of an image file say.
+struct ImageHeader {
+    ImageFormat format;
+    std::int64_t width;
+    std::int64_t height;
+};
+
+/// Finds out format and size of an image without decoding it, so that a file that promises an absurd size costs
+/// nothing. The format is told by the content, never by the name.
+/// @throws InputError when the file is missing, a folder, unreadable, empty, of another format, or ends within its
+///         header
+ImageHeader readImageHeader(const std::filesystem::path& path);
+
+}  // namespace caustic

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+
+#include "math/real.h"
+
+namespace caustic {
+
+/// A colour to draw with: sRGB code values, and how much of what is below it covers.
+struct Ink {
+    std::uint8_t red = 0;
+    std::uint8_t green = 0;
+    std::uint8_t blue = 0;
+    Real alpha = 1;  ///< 0 leaves no trace, 1 covers
+
+    constexpr Ink withAlpha(Real newAlpha) const { return {red, green, blue, newAlpha}; }
+    friend constexpr bool operator==(const Ink&, const Ink&) = default;
+};
+
+/// The colours of all figures, drawn or plotted: those of core/style.gp. The first six are Okabe and Ito's (2008), told
+/// apart by colour-blind readers too.
+namespace palette {
+
+inline constexpr Ink blue{0x00, 0x72, 0xb2};
+inline constexpr Ink vermilion{0xd5, 0x5e, 0x00};
+inline constexpr Ink green{0x00, 0x9e, 0x73};
+inline constexpr Ink purple{0xcc, 0x79, 0xa7};
+inline constexpr Ink orange{0xe6, 0x9f, 0x00};
+inline constexpr Ink sky{0x56, 0xb4, 0xe9};
+inline constexpr Ink dark{0x44, 0x44, 0x44};
+inline constexpr Ink brown{0xa6, 0x76, 0x1d};
+
+inline constexpr Ink text{0x22, 0x22, 0x22};
+inline constexpr Ink grid{0xdd, 0xdd, 0xdd};
+inline constexpr Ink white{0xff, 0xff, 0xff};
+
+}  // namespace palette
+
+}  // namespace caustic
