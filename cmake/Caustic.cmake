@@ -256,9 +256,10 @@ endfunction()
 
 # caustic_tests(<NN_name> [LIBRARIES <library>...])
 #
-# Test programs of a chapter, one a kind: tests/NN_name/{graded,property,stability}_*.cpp -> <kind>_<NN>. Graded tests
-# see the library only, so that they build from what a student has; the other kinds see the chapter's own parts too.
-# Registered with ctest as <NN>.<kind>.<Suite>.<Test>, labels <NN> and <kind>.
+# Test programs of a chapter, one a kind: tests/NN_name/{graded,property,stability,large}_*.cpp -> <kind>_<NN>. Graded
+# tests see the library only, so that they build from what a student has; the other kinds see the chapter's own parts
+# too. Large ones take minutes and run with ./course test --full only.
+# Registered with ctest as <NN>.<kind>.<Suite>.<Test>, label <NN>.<kind>.
 function(caustic_tests name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "LIBRARIES")
   _caustic_is_left_out(left_out ${name})
@@ -268,7 +269,7 @@ function(caustic_tests name)
   string(SUBSTRING ${name} 0 2 nn)
   string(REGEX REPLACE "^0+" "" chapter ${nn})
   _caustic_chapter_library(library ${chapter})
-  foreach(kind graded property stability)
+  foreach(kind graded property stability large)
     file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/${name}/${kind}_*.cpp")
     if(NOT sources)
       continue()
@@ -286,7 +287,7 @@ function(caustic_tests name)
       add_dependencies(${target} ${name})
     endif()
     gtest_discover_tests(${target} TEST_PREFIX "${nn}.${kind}." DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
-      PROPERTIES LABELS "${nn};${kind}" TIMEOUT 300)
+      PROPERTIES LABELS "${nn}.${kind}" TIMEOUT 300)
   endforeach()
 endfunction()
 

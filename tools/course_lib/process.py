@@ -48,3 +48,15 @@ def run(command, title, cwd=ROOT, env=None):
 def run_visibly(command, cwd=ROOT, env=None):
     """Runs a program that shows its own progress; returns its exit code."""
     return subprocess.run([str(word) for word in command], cwd=cwd, env=env, stdin=subprocess.DEVNULL).returncode
+
+
+def output_of(command, cwd=ROOT):
+    """What a program that does its work at once writes to standard output.
+
+    @throws CourseError when it fails
+    """
+    finished = subprocess.run([str(word) for word in command], cwd=cwd, stdin=subprocess.DEVNULL,
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    if finished.returncode != 0:
+        raise CourseError(f"{command[0]} stopped with exit code {finished.returncode}: {finished.stderr.strip()}")
+    return finished.stdout

@@ -1,0 +1,163 @@
+"""Builds, runs the chapters and regenerates their figures.
+
+At report quality (the default) they go to figures/, as drafts to build/figures/. A figure is drawn again only when its
+inputs changed: sources, assets, seed, quality. Both the provenance.json beside the figures says.
+"""
+
+import shutil
+
+from course_lib import cmake, provenance
+from course_lib.chapters import add_chapters_argument, choose_chapters
+from course_lib.compare import Tolerances, compare_pictures, compare_tables
+from course_lib.errors import CourseError
+from course_lib.packages import ensure_packages
+from course_lib.paths import BUILD, DRAFT_FIGURES, FIGURES, declarations, program, shown
+from course_lib.process import output_of, run_visibly
+from course_lib.provenance import CurrentInputs, Wanted
+from course_lib.terminal import count, say
+
+HELP = "regenerate the figures"
+CHECK_FOLDER = BUILD / "check"
+
+
+def add_arguments(parser):
+    add_chapters_argument(parser)
+    parser.add_argument("--quality", choices=("draft", "report"), default="report",
+                        help="draft (minutes, to build/figures/) or report (the default, to figures/)")
+    parser.add_argument("--only", action="append", default=[], metavar="FIG", help="this figure only; may be given again")
+    parser.add_argument("--force", action="store_true", help="draw what is up to date as well")
+    parser.add_argument("--threads", type=int, metavar="N", help="threads; pictures don't depend on it")
+    parser.add_argument("--seed", type=int, default=1, metavar="S", help="seed of all random numbers (default: 1)")
+    parser.add_argument("--check", action="store_true",
+                        help="draw nothing; name stale figures, then compare the numbers of a draft with the committed ones")
+    parser.add_argument("--full", action="store_true", help="with --check: draw again at report quality, compare pictures")
+
+
+def run(args):
+    if args.full and not args.check:
+        raise CourseError("--full belongs to --check; run ./course figures --check --full")
+    chapters = choose_chapters(args.chapters)
+    ensure_packages("build")
+    cmake.build(targets=chapters, title="build the chapters")
+    tables = {chapter: table_of_contents(chapter) for chapter in chapters}
+    require_known(args.only, tables)
+    if args.check:
+        return check(tables, args)
+    for chapter, table in tables.items():
+        draw_chapter(chapter, table, args)
+    return 0
+
+
+def table_of_contents(chapter):
+    """The figures of a chapter, in order: name -> whether it shows measured times."""
+    lines = output_of([program(chapter), "--list"]).splitlines()
+    return {line.split()[0]: line.endswith("(timed)") for line in lines if line}
+
+
+def require_known(only, tables):
+    known = [name for table in tables.values() for name in table]
+    for name in only:
+        if name not in known:
+            raise CourseError(f"--only {name}: there is no such figure; there are {', '.join(known)}")
+
+
+def chosen(table, only):
+    return [name for name in table if not only or name in only]
+
+
+def draw_chapter(chapter, table, args):
+    """Draws what is stale of a chapter's figures."""
+    out = FIGURES if args.quality == "report" else DRAFT_FIGURES
+    folder = out / chapter
+    names = chosen(table, args.only)
+    for file in provenance.prune(folder, table):
+        say(f"{chapter}: {file} belongs to no figure any more and is removed")
+    current = CurrentInputs.of(chapter, declarations())
+    entries = provenance.read(folder)
+    wanted = Wanted(args.quality, args.seed)
+    stale = [name for name in names
+             if args.force or provenance.stale_reasons(entries.get(name), current, folder, wanted)]
+    if stale:
+        say(f"{chapter}: drawing {len(stale)} of {count(len(names), 'figure')} to {shown(folder)}/")
+        run_chapter(chapter, out, stale, args.quality, args.seed, args.threads)
+    else:
+        say(f"{chapter}: {count(len(names), 'figure')} up to date in {shown(folder)}/")
+
+
+def run_chapter(chapter, out, names, quality, seed, threads=None):
+    command = [program(chapter), "--out", out, "--quality", quality, "--seed", seed]
+    command += ["--threads", threads] if threads else []
+    command += [word for name in names for word in ("--only", name)]
+    code = run_visibly(command)
+    if code != 0:
+        raise CourseError(f"chapter {chapter} stopped with exit code {code}; its own message stands above")
+
+
+def check(tables, args):
+    """Whether the committed figures are what the sources make: by hash, then by the numbers, then by the pictures."""
+    stale = [line for chapter, table in tables.items() for line in stale_figures(chapter, table, args.only)]
+    for line in stale:
+        say(f"stale: {line}")
+    if stale:
+        raise CourseError(f"{count(len(stale), 'figure')} stale ({stale[0].split(':')[0]}); run ./course figures")
+    differences = []
+    for chapter, table in tables.items():
+        differences += compare_chapter(chapter, table, args)
+    for line in differences:
+        say(f"differs: {line}")
+    if differences:
+        raise CourseError(f"{count(len(differences), 'value')} differ from the committed figures, first {differences[0]}; "
+                          "run ./course figures and look at what changed")
+    return 0
+
+
+def stale_figures(chapter, table, only):
+    """`chapter figure: reasons` for each committed figure that its inputs don't make any more."""
+    folder = FIGURES / chapter
+    current = CurrentInputs.of(chapter, declarations())
+    entries = provenance.read(folder)
+    lines = []
+    for name in chosen(table, only):
+        entry = entries.get(name)
+        reasons = provenance.stale_reasons(entry, current, folder)
+        if entry and entry.get("quality") != "report":
+            reasons.append("it is no report but a " + str(entry.get("quality")))
+        if reasons:
+            lines.append(f"{chapter} {name}: {'; '.join(reasons)}")
+    if not only:
+        lines += [f"{chapter} {name}: the chapter draws no such figure" for name in entries if name not in table]
+    return lines
+
+
+def compare_chapter(chapter, table, args):
+    """Draws a chapter into a folder of its own and compares; --full does so at report quality, pictures too."""
+    quality = "report" if args.full else "draft"
+    names = chosen(table, args.only)
+    entries = provenance.read(FIGURES / chapter)
+    seeds = sorted({entries[name]["seed"] for name in names})
+    shutil.rmtree(CHECK_FOLDER / chapter, ignore_errors=True)
+    say(f"{chapter}: drawing a {quality} to compare {count(len(names), 'figure')} with")
+    for seed in seeds:
+        run_chapter(chapter, CHECK_FOLDER, [name for name in names if entries[name]["seed"] == seed], quality, seed,
+                    args.threads)
+    tolerances = Tolerances.of(chapter)
+    differences, compared = [], 0
+    for name in names:
+        for file in entries[name]["files"]:
+            committed, fresh = FIGURES / chapter / file, CHECK_FOLDER / chapter / file
+            if file.endswith(".csv"):
+                compare = compare_tables
+            elif file.endswith(".png") and args.full and not table[name]:
+                compare = compare_pictures
+            else:
+                continue
+            compared += 1
+            differences += [f"{chapter} {name}: {line}" for line in compare_file(compare, committed, fresh, tolerances)]
+    say(f"{chapter}: {count(compared, 'file')} compared, {count(len(differences), 'difference')}")
+    return differences
+
+
+def compare_file(compare, committed, fresh, tolerances):
+    if not fresh.exists():
+        return [f"{committed.name}: a draft does not make it"]
+    return compare(committed, fresh, tolerances)

@@ -1,0 +1,161 @@
+"""Builds and runs the tests: all, or the C++ tests of some chapters.
+
+Parts: the build, each header by itself, who includes whom, the C++ tests by kind, the tests of the course's tools.
+--full adds the sanitizers, a debug build, line coverage by the chapters, all mutants, and the tests labelled large.
+"""
+
+import sys
+import time
+
+from course_lib import cmake
+from course_lib.chapters import add_chapters_argument, choose_chapters
+from course_lib.coverage import chapter_coverage
+from course_lib.ctest import all_test_names, of_chapters, of_kind, of_label, run_tests, test_names
+from course_lib.errors import CourseError
+from course_lib.packages import ensure_packages
+from course_lib.paths import ROOT, build_dir, declarations
+from course_lib.process import run as run_program
+from course_lib.process import run_visibly
+from course_lib.terminal import count, format_duration, say, table
+
+HELP = "build and run the tests"
+KINDS = ("graded", "property", "stability")  # of C++ tests
+LARGE = "large"  # the kind of those that take minutes: --full only
+FULL_PRESETS = ("sanitize", "thread", "debug")
+
+
+def add_arguments(parser):
+    add_chapters_argument(parser)
+    parser.add_argument("--full", action="store_true", help="sanitizers, coverage, all mutants and large tests as well")
+    parser.add_argument("--preset", choices=("release", *FULL_PRESETS), default="release",
+                        help="run the C++ tests as another preset builds them, and nothing else")
+
+
+def run(args):
+    chapters = choose_chapters(args.chapters)
+    parts = Parts()
+    ensure_packages("full" if args.full else "test")
+    if args.preset != "release":
+        run_preset(parts, args.preset, chapters)
+    else:
+        run_release(parts, chapters, everything=not args.chapters)
+        if args.full:
+            run_full(parts, chapters, everything=not args.chapters)
+    return parts.report()
+
+
+class Parts:
+    """The parts of a test run: title, tests passed, failures, seconds."""
+
+    def __init__(self):
+        self._rows = []
+        self._failures = []
+        self._start = time.monotonic()
+
+    def add(self, title, passed, failed, seconds, note=""):
+        self._rows.append((title, passed, len(failed), seconds, note))
+        self._failures += [(title, name, output) for name, output in failed]
+
+    def tests(self, title, preset, selection):
+        """A part that is a selection of ctest's."""
+        outcome = run_tests(preset, selection, title)
+        self.add(title, outcome.passed, outcome.failed, outcome.seconds)
+
+    def step(self, title, work):
+        """A part that holds or raises CourseError; `work` returns a note."""
+        start = time.monotonic()
+        failed, note = [], ""
+        try:
+            note = work() or ""
+        except CourseError as error:
+            failed = [(title, str(error))]
+        self.add(title, 0 if failed else 1, failed, time.monotonic() - start, note)
+
+    def report(self):
+        """Prints the failures, the table and the total; returns the exit code."""
+        for title, name, output in self._failures:
+            say(f"\nFAILED {title}: {name}\n{output.rstrip()}")
+        rows = [(title, passed, failed, format_duration(seconds), note)
+                for title, passed, failed, seconds, note in self._rows]
+        passed = sum(row[1] for row in self._rows)
+        failed = sum(row[2] for row in self._rows)
+        rows.append(("total", passed, failed, format_duration(time.monotonic() - self._start), ""))
+        say("\n" + table(rows, head=["part", "passed", "failed", "time", ""], right=(1, 2, 3)))
+        say(f"\n{passed} passed, {failed} failed")
+        return 1 if failed or not passed else 0
+
+
+def numbers(chapters):
+    return tuple(chapter[:2] for chapter in chapters)
+
+
+def run_release(parts, chapters, everything):
+    parts.step("build", lambda: cmake.build() and None)
+    parts.step("headers by themselves", check_headers)
+    parts.step("who includes whom", check_order)
+    selections = release_selections(chapters, everything)
+    if everything:
+        parts.step("every test in one part", lambda: check_partition(selections.values()))
+    present = {title: selection for title, selection in selections.items() if test_names("release", selection)}
+    for title, selection in present.items():
+        parts.tests(title, "release", selection)
+    if not present:
+        raise CourseError(f"chapters {', '.join(chapters)} have no tests")
+
+
+def release_selections(chapters, everything):
+    """The parts that ctest runs, by title. With all chapters they hold every test once, the large ones aside."""
+    if not everything:
+        return {f"{kind} tests": of_chapters(numbers(chapters), kind) for kind in KINDS}
+    selections = {f"{kind} tests": of_kind(kind) for kind in KINDS}
+    return {**selections, "tests of the test kit": of_label("support"), "tests of the tools": of_label("course")}
+
+
+def check_headers():
+    cmake.build(targets=["all_verify_interface_header_sets"], title="headers by themselves")
+    headers = [name for name in declarations()["files"] if name.endswith(".h")]
+    return count(len(headers), "header")
+
+
+def check_order():
+    command = [sys.executable, ROOT / "tools" / "chapter_order.py", build_dir()]
+    finished = run_program(command, "who includes whom")
+    if finished.code != 0:
+        raise CourseError(finished.output.strip())
+    return finished.output.strip()
+
+
+def check_partition(selections):
+    """No test may be in two parts, none in no part; the large ones are a part of --full."""
+    selected = [name for selection in (*selections, of_kind(LARGE)) for name in test_names("release", selection)]
+    every = all_test_names("release")
+    twice = sorted({name for name in selected if selected.count(name) > 1} |
+                   {name for name in every if every.count(name) > 1})
+    left_out = sorted(set(every) - set(selected))
+    if twice:
+        raise CourseError(f"selected twice: {', '.join(twice)}; give each test one label of a kind")
+    if left_out:
+        raise CourseError(f"selected by no part: {', '.join(left_out)}; give each test a label of a kind")
+    return f"{len(every)} ctest entries"
+
+
+def run_preset(parts, preset, chapters):
+    """The C++ tests of some chapters as another preset builds them."""
+    parts.step(f"build {preset}", lambda: cmake.build(preset) and None)
+    parts.tests(f"{preset}: C++ tests", preset, of_chapters(numbers(chapters), *KINDS))
+
+
+def run_full(parts, chapters, everything):
+    for preset in FULL_PRESETS:
+        run_preset(parts, preset, chapters)
+    large = of_chapters(numbers(chapters), LARGE)
+    if test_names("release", large):
+        parts.tests("large tests", "release", large)
+    parts.step("mutants", lambda: run_mutants(chapters))
+    if everything:
+        parts.step("coverage by the chapters", chapter_coverage)
+
+
+def run_mutants(chapters):
+    if run_visibly([ROOT / "course", "mutants", *numbers(chapters)]) != 0:
+        raise CourseError("a mistake got through; ./course mutants says which")
