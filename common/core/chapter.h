@@ -12,7 +12,9 @@ namespace caustic {
 struct ChapterCommand {
     std::string option;    ///< "--inspect"
     std::string argument;  ///< what the argument is called in --help: "FILE"
-    std::string help;
+    std::string help;      ///< what it does, in a few words
+
+    /// Does it; throws InputError for bad input, as figures do.
     std::function<void(const std::string& argument, const ChapterOptions& options)> run;
 };
 

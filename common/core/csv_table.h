@@ -14,6 +14,7 @@ namespace caustic {
 /// Every chart is drawn from such a file, so that whoever doubts a picture can look at its numbers.
 class CsvTable {
 public:
+    /// An empty table with these column names.
     explicit CsvTable(std::vector<std::string> columns);
 
     /// Appends a row; numbers are written so that they read back exactly.
@@ -23,9 +24,12 @@ public:
         addCells({cellText(cells)...});
     }
 
+    /// Column names, from left to right.
     const std::vector<std::string>& columns() const { return columns_; }
+    /// Cells as they are written, row by row.
     const std::vector<std::vector<std::string>>& rows() const { return rows_; }
 
+    /// The whole file, column names first.
     std::string text() const;
 
     /// Writes the table through a temporary file and a rename.

@@ -15,7 +15,7 @@ struct InputPlace {
 /// Bad input of any kind: a file that cannot be read, a value out of its domain, an impossible option.
 ///
 /// The only exception that the course throws on purpose; a chapter's executable prints it as one line and leaves with
-/// exit code 2. what() reads `file:line: reason (got 'value')`.
+/// exit code 2. what() reads as a compiler's message does: "vase.svg:12: must be finite (got 'nan')".
 class InputError : public std::runtime_error {
 public:
     /// @param place   where the value stands
@@ -23,8 +23,11 @@ public:
     /// @param reason  what is wrong and what would be right, in one sentence without a full stop
     InputError(InputPlace place, std::string value, std::string reason);
 
+    /// Where the value stands.
     const InputPlace& place() const { return place_; }
+    /// The offending text; may be empty.
     const std::string& value() const { return value_; }
+    /// What is wrong and what would be right.
     const std::string& reason() const { return reason_; }
 
 private:

@@ -24,16 +24,17 @@ struct ChapterInputs {
 
 /// What the user asked for.
 struct ChapterOptions {
-    std::filesystem::path out = "figures";  ///< figures go to <out>/<chapter>/
-    Quality quality = Quality::Draft;
-    int threads = 1;  ///< at least 1
-    std::uint64_t seed = 1;
-    bool preview = false;
+    std::filesystem::path out = "figures";  ///< figures go to `out/chapter/`
+    Quality quality = Quality::Draft;       ///< how much work to do
+    int threads = 1;                        ///< at least 1
+    std::uint64_t seed = 1;                 ///< the same seed gives the same figures, whatever the threads
+    bool preview = false;                   ///< whether to show figures in a window as they grow
 };
 
 /// What the function that draws a figure gets: where to write, how much work to do, and a record of both.
 class FigureContext {
 public:
+    /// All three are kept by reference and have to live as long.
     FigureContext(const ChapterInputs& inputs, const ChapterOptions& options, Progress& progress)
         : inputs_(&inputs), options_(&options), progress_(&progress) {}
 
@@ -49,17 +50,23 @@ public:
     /// script finds the folder of the CSV files in the variable `folder`.
     void chart(const std::string& script, const std::string& png);
 
+    /// How much work to do.
     Quality quality() const { return options_->quality; }
     /// One of two values, by quality.
     template <typename Value>
     Value byQuality(Value draft, Value report) const {
         return quality() == Quality::Draft ? draft : report;
     }
+    /// How many threads to use, at least 1.
     int threads() const { return options_->threads; }
+    /// The seed for the figure's random numbers.
     std::uint64_t seed() const { return options_->seed; }
+    /// Where to report how far the figure is.
     Progress& progress() { return *progress_; }
 
+    /// File names that output() was asked for.
     const std::vector<std::string>& outputs() const { return outputs_; }
+    /// Paths that asset() was asked for.
     const std::vector<std::string>& assets() const { return assets_; }
 
 private:
@@ -72,9 +79,9 @@ private:
 
 /// A row of a chapter's table of contents.
 struct Figure {
-    std::string name;  ///< as --only takes it
-    std::function<void(FigureContext&)> draw;
-    bool timed = false;  ///< whether it shows measured times, and so differs from run to run
+    std::string name;                          ///< as `--only` takes it
+    std::function<void(FigureContext&)> draw;  ///< draws it and writes its files
+    bool timed = false;                        ///< whether it shows measured times, and so differs from run to run
 };
 
 }  // namespace caustic

@@ -21,6 +21,7 @@ public:
     /// Says how many steps it takes from now on; until then the title is shown without a share.
     void expect(std::int64_t total);
 
+    /// Says that as many further steps are done.
     void advance(std::int64_t steps = 1);
 
 private:

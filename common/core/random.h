@@ -13,6 +13,7 @@ namespace caustic {
 /// Generator: PCG64 (O'Neill 2014); names are mixed by SplitMix64's finaliser (Steele, Lea, Flood 2014, fig. 18).
 class Random {
 public:
+    /// The stream of that name, at its start.
     Random(std::uint64_t seed, std::initializer_list<std::uint64_t> item) : engine_(mixed(seed, item)) {}
 
     /// Uniform in [0, 1), all 53 bits of the fraction random.

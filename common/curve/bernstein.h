@@ -35,7 +35,9 @@ public:
     /// @throws InputError when there is none, or one is not finite
     explicit BernsteinPolynomial(std::vector<Real> coefficients);
 
+    /// n, one less than there are coefficients.
     int degree() const { return static_cast<int>(coefficients_.size()) - 1; }
+    /// c_0 to c_n.
     const std::vector<Real>& coefficients() const { return coefficients_; }
 
     /// The largest |c_i|: no value of p on [0, 1] is larger.

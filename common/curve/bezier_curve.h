@@ -19,7 +19,9 @@ public:
     /// @throws InputError when there is none, or a coordinate is not finite
     explicit BezierCurve(std::vector<Vec3> controlPoints);
 
+    /// n, one less than there are control points.
     int degree() const { return static_cast<int>(controlPoints_.size()) - 1; }
+    /// P_0 to P_n.
     const std::vector<Vec3>& controlPoints() const { return controlPoints_; }
 
     /// The point at t by de Casteljau's algorithm. Any finite t; outside [0, 1] the polynomial goes on.

@@ -13,6 +13,7 @@ struct GaussRule {
     std::vector<Real> nodes;    ///< in increasing order, symmetric about 0
     std::vector<Real> weights;  ///< positive; they sum to 2
 
+    /// How many nodes there are.
     int points() const { return static_cast<int>(nodes.size()); }
 };
 

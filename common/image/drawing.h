@@ -50,12 +50,14 @@ public:
     Drawing(Drawing&&) noexcept;
     Drawing& operator=(Drawing&&) noexcept;
 
+    /// Size of the finished picture in pixels.
     int width() const;
     int height() const;
 
     /// Paints everything over.
     void clear(const Ink& paper);
 
+    /// A straight line with round ends.
     void line(const Vec2& from, const Vec2& to, const Stroke& stroke);
     /// Straight lines from point to point with round ends and corners; `closed` leads back to the first.
     void polyline(const std::vector<Vec2>& points, const Stroke& stroke, bool closed = false);
@@ -69,6 +71,7 @@ public:
     void circle(const Vec2& centre, Real radius, const Ink& fill);
     void circle(const Vec2& centre, Real radius, const Stroke& outline);
 
+    /// A line of text whose anchor (style.horizontal, style.vertical) stands at `place`.
     void text(const Vec2& place, const std::string& utf8, const TextStyle& style = {});
     /// How far a text reaches to the right, in pixels.
     Real textWidth(const std::string& utf8, const TextStyle& style = {}) const;

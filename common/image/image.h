@@ -27,6 +27,7 @@ public:
     /// @throws InputError when a side is less than 1 or there are more than mostPixels
     Image(int width, int height, const Color& fill = Color::Zero());
 
+    /// Size in pixels.
     int width() const { return width_; }
     int height() const { return height_; }
 
@@ -36,6 +37,7 @@ public:
         return {Real(pixel[0]), Real(pixel[1]), Real(pixel[2])};
     }
 
+    /// Gives the pixel in column x, row y another colour; both must be inside.
     void set(int x, int y, const Color& color) {
         float* pixel = &data_[offset(x, y)];
         for (int channel = 0; channel < 3; ++channel) pixel[channel] = static_cast<float>(color[channel]);

@@ -13,7 +13,9 @@ struct Ink {
     std::uint8_t blue = 0;
     Real alpha = 1;  ///< 0 leaves no trace, 1 covers
 
+    /// The same colour with another coverage.
     constexpr Ink withAlpha(Real newAlpha) const { return {red, green, blue, newAlpha}; }
+    /// Equal in all four numbers.
     friend constexpr bool operator==(const Ink&, const Ink&) = default;
 };
 
@@ -21,6 +23,7 @@ struct Ink {
 /// apart by colour-blind readers too.
 namespace palette {
 
+/// Colours of lines and areas, in the order in which a chart takes them.
 inline constexpr Ink blue{0x00, 0x72, 0xb2};
 inline constexpr Ink vermilion{0xd5, 0x5e, 0x00};
 inline constexpr Ink green{0x00, 0x9e, 0x73};
@@ -30,6 +33,7 @@ inline constexpr Ink sky{0x56, 0xb4, 0xe9};
 inline constexpr Ink dark{0x44, 0x44, 0x44};
 inline constexpr Ink brown{0xa6, 0x76, 0x1d};
 
+/// Colours of labels, of grid lines, of the paper.
 inline constexpr Ink text{0x22, 0x22, 0x22};
 inline constexpr Ink grid{0xdd, 0xdd, 0xdd};
 inline constexpr Ink white{0xff, 0xff, 0xff};

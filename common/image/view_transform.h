@@ -18,6 +18,7 @@ public:
     /// @throws InputError when a box is empty or not finite, or the margin leaves no pixel
     static ViewTransform fit(const Bounds2& world, const Bounds2& pixels, Real margin);
 
+    /// Where a point of the plane is drawn, and which point of the plane a pixel shows.
     Vec2 toPixel(const Vec2& world) const;
     Vec2 toWorld(const Vec2& pixel) const;
     /// Pixels per unit of the world.
