@@ -1,0 +1,46 @@
+#include "core/timing.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace caustic {
+
+namespace {
+
+double secondsOf(const std::function<void()>& piece, std::int64_t calls) {
+    const auto start = std::chrono::steady_clock::now();
+    for (std::int64_t i = 0; i < calls; ++i) piece();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+// Doubles the calls until a batch is long enough; this warms the caches up as well.
+std::int64_t callsPerBatch(const std::function<void()>& piece, double seconds) {
+    std::int64_t calls = 1;
+    while (secondsOf(piece, calls) < seconds) calls *= 2;
+    return calls;
+}
+
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+}  // namespace
+
+std::vector<double> medianNanoseconds(const std::vector<std::function<void()>>& pieces, const TimingPlan& plan) {
+    std::vector<std::int64_t> calls;
+    for (const auto& piece : pieces) calls.push_back(callsPerBatch(piece, plan.secondsPerBatch));
+
+    std::vector<std::vector<double>> nanoseconds(pieces.size());
+    for (int round = 0; round < plan.rounds; ++round) {
+        for (std::size_t i = 0; i < pieces.size(); ++i) {
+            nanoseconds[i].push_back(secondsOf(pieces[i], calls[i]) / static_cast<double>(calls[i]) * 1e9);
+        }
+    }
+    std::vector<double> medians;
+    for (auto& batches : nanoseconds) medians.push_back(median(std::move(batches)));
+    return medians;
+}
+
+}  // namespace caustic
