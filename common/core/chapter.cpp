@@ -77,7 +77,10 @@ void parse(CLI::App& app, CommandLine& line, const std::vector<ChapterCommand>& 
         ->type_name("N")
         ->check(CLI::Range(1, mostThreads))
         ->capture_default_str();
-    app.add_option("--seed", line.options.seed, "Seed of all random numbers")->type_name("S")->capture_default_str();
+    app.add_option("--seed", line.options.seed, "Seed of all random numbers")
+        ->type_name("S")
+        ->check(CLI::NonNegativeNumber)  // or -1 would wrap round to a huge number
+        ->capture_default_str();
     app.add_option("--only", line.only, "Draw this figure only; may be given again")->type_name("FIGURE")->take_all();
     app.add_flag("--list", line.list, "List the figures and leave");
     app.add_flag("--preview", line.options.preview, "Show each picture in a window when it is ready; any key goes on");

@@ -12,9 +12,8 @@ constexpr std::uint64_t seed = 20;
 constexpr int chartDegrees[] = {3, 7, 15, 30, 60};
 
 template <typename Scalar>
-const EvaluationMethod<Scalar>& methodNamed(const std::string& name) {
-    static const auto methods = evaluationMethods<Scalar>();
-    for (const auto& method : methods) {
+EvaluationMethod<Scalar> methodNamed(const std::string& name) {
+    for (const auto& method : evaluationMethods<Scalar>()) {
         if (method.name == name) return method;
     }
     throw std::out_of_range(name);

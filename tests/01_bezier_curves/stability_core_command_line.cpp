@@ -1,0 +1,86 @@
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "core/process.h"
+
+namespace caustic {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Runs the real program, as a user would, in an empty folder.
+class CommandLine : public testing::Test {
+protected:
+    void SetUp() override {
+        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+        folder_ =
+            fs::path(testing::TempDir()) / ("caustic." + std::string(test->name()) + "." + std::to_string(getpid()));
+        fs::create_directories(folder_);
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    ProcessResult run(std::vector<std::string> arguments) const {
+        std::vector<std::string> command = {"env", "-C", folder_.string(), CAUSTIC_CHAPTER_PROGRAM};
+        command.insert(command.end(), arguments.begin(), arguments.end());
+        return runProcess(command).value();
+    }
+
+    // Refused: exit code 2, one line that holds `part`, nothing written.
+    void expectRefused(const std::vector<std::string>& arguments, const std::string& part) const {
+        const ProcessResult result = run(arguments);
+        EXPECT_EQ(result.exitCode, 2) << result.output;
+        EXPECT_NE(result.output.find(part), std::string::npos) << result.output;
+        EXPECT_EQ(std::count(result.output.begin(), result.output.end(), '\n'), 1) << result.output;
+        EXPECT_TRUE(fs::is_empty(folder_)) << "something was written";
+    }
+
+    fs::path folder_;
+};
+
+TEST_F(CommandLine, HelpNamesEveryOptionAndEndsWell) {
+    const ProcessResult result = run({"--help"});
+    EXPECT_EQ(result.exitCode, 0);
+    for (const char* option : {"--out", "--quality", "--threads", "--seed", "--only", "--list", "--preview"}) {
+        EXPECT_NE(result.output.find(option), std::string::npos) << option;
+    }
+    EXPECT_TRUE(fs::is_empty(folder_));
+}
+
+TEST_F(CommandLine, ListNamesTheFiguresAndDrawsNone) {
+    const ProcessResult result = run({"--list"});
+    EXPECT_EQ(result.exitCode, 0);
+    EXPECT_NE(result.output.find("speed_accuracy (timed)\n"), std::string::npos) << result.output;
+    EXPECT_TRUE(fs::is_empty(folder_));
+}
+
+TEST_F(CommandLine, BadOptionsAreRefusedByName) {
+    expectRefused({"--nonsense"}, "--nonsense");
+    expectRefused({"stray"}, "stray");
+    expectRefused({"--out"}, "--out");
+    expectRefused({"--quality", "superb"}, "superb");
+    expectRefused({"--threads", "0"}, "--threads");
+    expectRefused({"--threads", "-1"}, "--threads");
+    expectRefused({"--threads", "many"}, "many");
+    expectRefused({"--seed", "-1"}, "--seed");
+    expectRefused({"--seed", "1e3"}, "1e3");
+}
+
+TEST_F(CommandLine, UnknownFigureIsRefusedWithTheListOfThoseThatAre) {
+    expectRefused({"--only", "no_such_figure"}, "no_such_figure");
+    expectRefused({"--only", "no_such_figure"}, "speed_accuracy");
+    expectRefused({"--only", ""}, "no such figure");
+}
+
+TEST_F(CommandLine, UnwritableOutIsRefusedByName) {
+    std::ofstream(folder_ / "blocker") << "a file";
+    const ProcessResult result = run({"--out", "blocker/figures", "--only", "speed_accuracy"});
+    EXPECT_EQ(result.exitCode, 2) << result.output;
+    EXPECT_NE(result.output.find("blocker/figures"), std::string::npos) << result.output;
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1);
+}
+
+}  // namespace
+}  // namespace caustic
