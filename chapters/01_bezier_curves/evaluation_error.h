@@ -26,10 +26,10 @@ struct EvaluationMethod {
 /// All four, de Casteljau's first.
 template <typename Scalar>
 std::vector<EvaluationMethod<Scalar>> evaluationMethods() {
-    return {{"de Casteljau", evaluateDeCasteljau<Scalar>, false},
-            {"Bernstein sum", evaluateBernstein<Scalar>, false},
-            {"power basis (Horner)", evaluatePowerBasis<Scalar>, false},
-            {"forward differencing", evaluateForwardDifferences<Scalar>, true}};
+    return {{"de Casteljau", pointsByDeCasteljau<Scalar>, false},
+            {"Bernstein sum", pointsByBernstein<Scalar>, false},
+            {"power basis (Horner)", pointsByPowerBasis<Scalar>, false},
+            {"forward differencing", pointsByForwardDifferences<Scalar>, true}};
 }
 
 /// Steps of a walk along the curve. Not a power of two: i / 200 has to be rounded, as a user's step would be.

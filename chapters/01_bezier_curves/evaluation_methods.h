@@ -55,7 +55,7 @@ Scratch<Scalar> powerBasis(std::span<const PointOf<Scalar>> controlPoints) {
 
 /// De Casteljau's algorithm: n (n+1) / 2 linear interpolations a point.
 template <typename Scalar>
-void evaluateDeCasteljau(std::span<const PointOf<Scalar>> controlPoints, std::span<const Scalar> parameters,
+void pointsByDeCasteljau(std::span<const PointOf<Scalar>> controlPoints, std::span<const Scalar> parameters,
                          std::span<PointOf<Scalar>> points) {
     detail::Scratch<Scalar> level;
     for (std::size_t k = 0; k < parameters.size(); ++k) {
@@ -70,9 +70,9 @@ void evaluateDeCasteljau(std::span<const PointOf<Scalar>> controlPoints, std::sp
 }
 
 /// The sum of C(n,i) (1-t)^(n-i) t^i P_i, nested so that each power costs one product: about 4 n operations a point
-/// and coordinate. Source: Farin, Curves and Surfaces for CAGD, 5th ed., section 5.3 (his program "hornbez").
+/// and coordinate. Source: Farin, Curves and Surfaces for CAGD, 5th ed. (2002), ch. 5 (his program "hornbez").
 template <typename Scalar>
-void evaluateBernstein(std::span<const PointOf<Scalar>> controlPoints, std::span<const Scalar> parameters,
+void pointsByBernstein(std::span<const PointOf<Scalar>> controlPoints, std::span<const Scalar> parameters,
                        std::span<PointOf<Scalar>> points) {
     const std::size_t n = controlPoints.size() - 1;
     const auto binomials = detail::binomialRow<Scalar>(static_cast<int>(n));
@@ -92,7 +92,7 @@ void evaluateBernstein(std::span<const PointOf<Scalar>> controlPoints, std::span
 /// Horner's scheme on a_0 + a_1 t + a_2 t^2 + ...: n products and n sums a point and coordinate, the fewest of all.
 /// The coefficients are found in the same precision, which is where most of the error comes from.
 template <typename Scalar>
-void evaluatePowerBasis(std::span<const PointOf<Scalar>> controlPoints, std::span<const Scalar> parameters,
+void pointsByPowerBasis(std::span<const PointOf<Scalar>> controlPoints, std::span<const Scalar> parameters,
                         std::span<PointOf<Scalar>> points) {
     const auto coefficients = detail::powerBasis(controlPoints);
     for (std::size_t k = 0; k < parameters.size(); ++k) {
@@ -109,7 +109,7 @@ void evaluatePowerBasis(std::span<const PointOf<Scalar>> controlPoints, std::spa
 /// The differences at 0 come from the power basis in units of the step (Newton's form by synthetic division), the way
 /// that loses least. Source: Foley, van Dam, Feiner, Hughes, Computer Graphics, 2nd ed., section 11.2.9.
 template <typename Scalar>
-void evaluateForwardDifferences(std::span<const PointOf<Scalar>> controlPoints, std::span<const Scalar> parameters,
+void pointsByForwardDifferences(std::span<const PointOf<Scalar>> controlPoints, std::span<const Scalar> parameters,
                                 std::span<PointOf<Scalar>> points) {
     const std::size_t n = controlPoints.size() - 1;
     const Scalar step = 1 / static_cast<Scalar>(parameters.size() - 1);
