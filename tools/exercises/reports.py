@@ -1,0 +1,170 @@
+"""Grades as a table, as JSON, as Gradescope's results.json and as JUnit XML."""
+
+import json
+import os
+import re
+import xml.etree.ElementTree as xml
+from pathlib import Path
+
+from course_lib.errors import CourseError
+from course_lib.terminal import count, table
+from exercises.verdicts import CRASHED, FAILED, NOT_BUILT, NOT_IMPLEMENTED, TIMED_OUT
+
+MOST_REASON = 96
+# What XML 1.0 cannot hold, not even escaped.
+NOT_IN_XML = re.compile("[^\t\n\r -\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
+
+
+def points_text(points, most):
+    return f"{points} of {most} points"
+
+
+def grade_table(grade):
+    """One row a test: test, exercise, points, what became of it."""
+    rows = [[o.test.name, o.test.exercise, f"{o.points}/{o.test.points}", o.outcome.state, shortened(o.outcome.reason)]
+            for o in grade.outcomes]
+    return table(rows, ["test", "exercise", "points", "outcome", "reason"], right=(2,))
+
+
+def shortened(text):
+    return text if len(text) <= MOST_REASON else text[:MOST_REASON - 3] + "..."
+
+
+def summary(grade):
+    return f"{grade.chapter}: {points_text(grade.points, grade.catalog.points)}"
+
+
+def details(graded):
+    """Everything that a student should see of one test, in several lines."""
+    outcome = graded.outcome
+    lines = [f"{graded.test.exercise}: {outcome.state}" + (f": {outcome.reason}" if outcome.reason else "")]
+    for failure in outcome.failures:
+        lines.append("")
+        if failure["place"]:
+            lines.append(failure["place"])
+        lines.append(failure["message"])
+    if not outcome.passed:
+        lines += ["", f"Look at: {graded.test.look_at}"]
+        if outcome.state in (CRASHED, TIMED_OUT) and outcome.output.strip():
+            lines += ["", "It printed:", outcome.output.strip()]
+    return "\n".join(lines)
+
+
+def to_json(grades, submission, on_reference):
+    return {
+        "submission": submission,
+        "onReference": on_reference,
+        "points": sum(grade.points for grade in grades),
+        "maxPoints": sum(grade.catalog.points for grade in grades),
+        "chapters": [chapter_json(grade) for grade in grades],
+    }
+
+
+def chapter_json(grade):
+    return {
+        "chapter": grade.chapter,
+        "points": grade.points,
+        "maxPoints": grade.catalog.points,
+        "built": not grade.error,
+        "error": grade.error,
+        "notes": grade.notes,
+        "exercises": {id: {"points": sum(o.points for o in grade.of_exercise(id)),
+                           "maxPoints": sum(o.test.points for o in grade.of_exercise(id))} for id in grade.catalog.exercises},
+        "tests": [{
+            "name": o.test.name,
+            "exercise": o.test.exercise,
+            "points": o.points,
+            "maxPoints": o.test.points,
+            "outcome": o.outcome.state,
+            "reason": o.outcome.reason,
+            "failures": o.outcome.failures,
+            "output": o.outcome.output,
+            "seconds": round(o.outcome.seconds, 3),
+        } for o in grade.outcomes],
+    }
+
+
+def to_gradescope(grades):
+    """https://gradescope-autograders.readthedocs.io/en/latest/specs/ : results.json."""
+    tests = []
+    for grade in grades:
+        for position, o in enumerate(grade.outcomes, start=1):
+            tests.append({
+                "name": o.test.name,
+                "number": f"{int(grade.catalog.number)}.{position}",
+                "score": o.points,
+                "max_score": o.test.points,
+                "status": "passed" if o.outcome.passed else "failed",
+                "output": details(o),
+                "output_format": "text",
+                "tags": [grade.chapter, o.test.exercise],
+                "visibility": "visible",
+            })
+    lines = [line for grade in grades for line in [summary(grade), *errors_and_notes(grade)]]
+    return {
+        "score": sum(grade.points for grade in grades),
+        "output": "\n".join(lines),
+        "output_format": "text",
+        "visibility": "visible",
+        "stdout_visibility": "hidden",
+        "execution_time": round(sum(o.outcome.seconds for grade in grades for o in grade.outcomes)),
+        "tests": tests,
+    }
+
+
+def errors_and_notes(grade):
+    return ([f"did not build: {grade.error}", grade.excerpt] if grade.error else []) + [f"note: {n}" for n in grade.notes]
+
+
+def to_junit(grades):
+    """JUnit's XML as Jenkins and GitLab read it: a suite a chapter; failures are assertions, errors all else."""
+    suites = xml.Element("testsuites", name="caustic")
+    for grade in grades:
+        states = [o.outcome.state for o in grade.outcomes]
+        failures = sum(state in (FAILED, NOT_IMPLEMENTED) for state in states)
+        errors = sum(not o.outcome.passed for o in grade.outcomes) - failures
+        suite = xml.SubElement(suites, "testsuite", name=grade.chapter, tests=str(len(states)), failures=str(failures),
+                               errors=str(errors), skipped="0", time=f"{sum(o.outcome.seconds for o in grade.outcomes):.3f}")
+        properties = xml.SubElement(suite, "properties")
+        xml.SubElement(properties, "property", name="points", value=str(grade.points))
+        xml.SubElement(properties, "property", name="maxPoints", value=str(grade.catalog.points))
+        for o in grade.outcomes:
+            add_case(suite, grade, o)
+    return xml.tostring(suites, encoding="utf-8", xml_declaration=True)
+
+
+def add_case(suite, grade, graded):
+    outcome = graded.outcome
+    case = xml.SubElement(suite, "testcase", name=graded.test.name, classname=f"{grade.chapter}.{graded.test.exercise}",
+                          time=f"{outcome.seconds:.3f}")
+    if not outcome.passed:
+        kind = "failure" if outcome.state in (FAILED, NOT_IMPLEMENTED) else "error"
+        element = xml.SubElement(case, kind, message=for_xml(outcome.reason or outcome.state), type=outcome.state)
+        element.text = for_xml(grade.excerpt if outcome.state == NOT_BUILT else details(graded))
+    if outcome.output:
+        xml.SubElement(case, "system-out").text = for_xml(outcome.output)
+
+
+def for_xml(text):
+    return NOT_IN_XML.sub("\N{REPLACEMENT CHARACTER}", text)
+
+
+def write_file(path, content):
+    """Through a temporary file, so that no half report is left.
+
+    @throws CourseError when it cannot be written
+    """
+    path = Path(path)
+    data = content if isinstance(content, bytes) else (json.dumps(content, indent=2) + "\n").encode()
+    temporary = path.with_name(path.name + ".tmp")
+    try:
+        temporary.write_bytes(data)
+        os.replace(temporary, path)
+    except OSError as error:
+        raise CourseError(f"{path} cannot be written: {error.strerror}; name a file in a folder that is there") from None
+
+
+def done_text(grades):
+    """"3 of 12 exercises done"."""
+    done = sum(len(grade.done) for grade in grades)
+    return f"{done} of {count(sum(len(grade.catalog.exercises) for grade in grades), 'exercise')} done"

@@ -1,0 +1,213 @@
+"""Runs one graded test and decides what became of it.
+
+The test program is somebody else's code, so nothing that is easy to forge counts: not what it prints, no file, no exit
+code. The grader sends a random word through a pipe and believes only a verdict that carries this word through another
+pipe (tests/support/verdict.h is the other end).
+"""
+
+import json
+import os
+import secrets
+import selectors
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+from dataclasses import dataclass, field
+from pathlib import Path
+
+LAUNCH = Path(__file__).resolve().parent / "launch.py"
+MOST_OUTPUT = 16 * 1024  # bytes of a test's output that are kept
+MOST_VERDICT = 256 * 1024
+MOST_FILE = 256  # MiB of one file that a test may write
+
+PASSED = "passed"
+FAILED = "failed"
+NOT_IMPLEMENTED = "not implemented"
+CRASHED = "crashed"
+TIMED_OUT = "timed out"
+NO_VERDICT = "no verdict"
+NOT_BUILT = "did not build"
+STATES = (PASSED, FAILED, NOT_IMPLEMENTED, CRASHED, TIMED_OUT, NO_VERDICT, NOT_BUILT)
+
+
+@dataclass
+class Outcome:
+    """What became of one test."""
+
+    state: str
+    reason: str = ""  # one line; empty when it passed
+    failures: list = field(default_factory=list)  # [{"place": "graded_x.cpp:14", "message": "..."}]
+    output: str = ""  # what it printed, cut
+    seconds: float = 0
+
+    @property
+    def passed(self):
+        return self.state == PASSED
+
+
+class TestProcess:
+    """A test program that runs in a process group and an empty folder of its own."""
+
+    def __init__(self, program, test, time_limit, memory_limit, folder):
+        word_read, word_write = os.pipe()
+        verdict_read, verdict_write = os.pipe()
+        self.word = secrets.token_hex(16)
+        self.time_limit = time_limit
+        self.verdict = verdict_read
+        self.start = time.monotonic()
+        command = [sys.executable, "-I", "-S", str(LAUNCH), str(memory_limit), "0", str(MOST_FILE), str(program),
+                   f"--gtest_filter={test}", "--gtest_brief=1", f"--verdict={word_read},{verdict_write}"]
+        try:
+            self.process = subprocess.Popen(command, cwd=folder, env=environment(folder), stdin=subprocess.DEVNULL,
+                                            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, start_new_session=True,
+                                            pass_fds=(word_read, verdict_write))
+            os.write(word_write, (self.word + "\n").encode())
+        finally:
+            for end in (word_read, word_write, verdict_write):
+                os.close(end)
+
+    def finish(self):
+        """Waits for the end, or brings it about; returns (exit code or None when time ran out, output, verdict line)."""
+        texts = {self.process.stdout.fileno(): bytearray(), self.verdict: bytearray()}
+        limits = {self.process.stdout.fileno(): MOST_OUTPUT, self.verdict: MOST_VERDICT}
+        with selectors.DefaultSelector() as selector:
+            for descriptor in texts:
+                os.set_blocking(descriptor, False)
+                selector.register(descriptor, selectors.EVENT_READ)
+            ended = self._collect(selector, texts, limits)
+            self._end_group()
+            code = self.process.wait()
+            for descriptor in list(selector.get_map()):
+                drain(descriptor, texts[descriptor], limits[descriptor])
+        output, verdict = (bytes(text).decode("utf-8", "replace") for text in texts.values())
+        os.close(self.verdict)
+        self.process.stdout.close()
+        return (code if ended else None), output, verdict
+
+    def _collect(self, selector, texts, limits):
+        """Reads until the program has ended (True) or its time is over (False)."""
+        while True:
+            left = self.start + self.time_limit - time.monotonic()
+            if left <= 0:
+                return False
+            if not selector.get_map():
+                time.sleep(min(left, 0.005))
+            for key, _ in selector.select(min(left, 0.05)) if selector.get_map() else ():
+                if not drain(key.fd, texts[key.fd], limits[key.fd]):
+                    selector.unregister(key.fd)
+            if self._has_ended():
+                return True
+
+    def _has_ended(self):
+        if not hasattr(os, "waitid"):  # macOS before Python 3.13
+            return self.process.poll() is not None
+        return os.waitid(os.P_PID, self.process.pid, os.WEXITED | os.WNOHANG | os.WNOWAIT) is not None
+
+    def _end_group(self):
+        # The leader is not waited for yet, so its group's number cannot belong to anybody else.
+        try:
+            os.killpg(self.process.pid, signal.SIGKILL)
+        except (ProcessLookupError, PermissionError):
+            pass
+
+
+def drain(descriptor, text, most):
+    """Reads what is there and keeps it up to `most` bytes; False at the end of the file."""
+    while True:
+        try:
+            block = os.read(descriptor, 65536)
+        except BlockingIOError:
+            return True
+        if not block:
+            return False
+        text += block[:max(0, most - len(text))]
+
+
+def environment(folder):
+    """The same for every test: nothing of the grader's, few threads (each takes address space)."""
+    return {"PATH": os.defpath, "HOME": str(folder), "TMPDIR": str(folder), "LANG": "C.UTF-8",
+            "OMP_NUM_THREADS": "2", "MALLOC_ARENA_MAX": "2"}
+
+
+def run_test(program, test, time_limit, memory_limit, scratch):
+    """Runs one test in a fresh folder below `scratch`.
+
+    @param test  "Suite.Test"
+    @param time_limit  seconds; @param memory_limit MiB of address space
+    """
+    scratch.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(dir=scratch) as folder:
+        process = TestProcess(program, test, time_limit, memory_limit, folder)
+        code, output, line = process.finish()
+        seconds = time.monotonic() - process.start
+    outcome = judge(code, line, process.word, output, time_limit)
+    outcome.output = output
+    outcome.seconds = seconds
+    return outcome
+
+
+def judge(code, line, word, output, time_limit):
+    """What became of a test, from how its process ended (code; None when time ran out) and the verdict's line."""
+    if code is None:
+        return Outcome(TIMED_OUT, f"was still running after {time_limit:g} s")
+    if code < 0:
+        return Outcome(CRASHED, describe_signal(-code) + last_words(output))
+    verdict = read_verdict(line, word)
+    if verdict is None:
+        why = "ended before the test did" if not line else "sent a verdict that is not the test's own"
+        return Outcome(NO_VERDICT, f"{why} (exit code {code})")
+    if verdict["verdict"] == "skipped":
+        return Outcome(FAILED, "was skipped", verdict["failures"])
+    if verdict["verdict"] not in (PASSED, FAILED, NOT_IMPLEMENTED):
+        return Outcome(NO_VERDICT, f"the test program says: {verdict['verdict']}")
+    passed = verdict["verdict"] == PASSED
+    if passed and code != 0:
+        return Outcome(CRASHED, f"the test passed, but the program left with exit code {code}")
+    return Outcome(verdict["verdict"], "" if passed else first_reason(verdict["failures"]), verdict["failures"])
+
+
+def read_verdict(line, word):
+    """The verdict as it was sent; None unless it is whole and carries the grader's word."""
+    try:
+        verdict = json.loads(line)
+    except ValueError:
+        return None
+    if not isinstance(verdict, dict) or not secrets.compare_digest(str(verdict.get("word")).encode(), word.encode()):
+        return None
+    failures = verdict.get("failures")
+    if not isinstance(verdict.get("verdict"), str) or not isinstance(failures, list):
+        return None
+    if not all(isinstance(f, dict) and isinstance(f.get("place"), str) and isinstance(f.get("message"), str) for f in failures):
+        return None
+    return verdict
+
+
+def first_reason(failures):
+    """The first failure in one line: the question that its message ends with, when the test asks one."""
+    if not failures:
+        return "failed without a message"
+    lines = [line.strip() for line in failures[0]["message"].splitlines() if line.strip()]
+    if not lines:
+        return "failed without a message"
+    questions = [line for line in lines[1:] if line.endswith("?")]
+    return questions[-1] if questions else lines[0]
+
+
+def describe_signal(number):
+    names = {signal.SIGSEGV: "segmentation fault", signal.SIGABRT: "aborted", signal.SIGFPE: "arithmetic fault",
+             signal.SIGKILL: "killed", signal.SIGBUS: "bus error", signal.SIGILL: "illegal instruction",
+             signal.SIGXFSZ: f"wrote a file of more than {MOST_FILE} MiB"}
+    try:
+        name = signal.Signals(number).name
+    except ValueError:
+        name = f"signal {number}"
+    return f"{names[number]} ({name})" if number in names else name
+
+
+def last_words(output):
+    """What the runtime said when it gave up: "terminate called after throwing an instance of ..."."""
+    words = [line.strip() for line in output.splitlines() if "what():" in line or "terminate called" in line
+             or "stack smashing" in line or "free():" in line or "Assertion" in line]
+    return ": " + words[-1] if words else ""
