@@ -1,0 +1,18 @@
+#pragma once
+
+#include "math/real.h"
+
+namespace caustic {
+
+/// All numbers from `lower` to `upper`, both included; empty when they stand the wrong way round, or when one is NaN.
+template <typename Scalar>
+struct BasicInterval {
+    Scalar lower;
+    Scalar upper;
+
+    bool empty() const { return !(lower <= upper); }
+};
+
+using Interval = BasicInterval<Real>;
+
+}  // namespace caustic

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "math/ray.h"
+#include "shape/triangle_hit.h"
+
+namespace caustic {
+
+/// What the watertight test needs of a ray, computed once for all triangles: the axes in an order that puts the
+/// direction's largest component last, and the shear and scale that turn the direction into (0, 0, 1).
+struct ShearedRay {
+    explicit ShearedRay(const Ray& original);
+
+    Ray ray;
+    std::array<int, 3> axis;  ///< the axes that play x, y and z; a rotation or its mirror, so that windings stay
+    Vec3 shear;               ///< Sx, Sy, Sz of the paper: dx/dz, dy/dz, 1/dz
+};
+
+/// Ray and triangle without leaks: a ray through an edge or a vertex of a closed mesh hits at least one of the
+/// triangles there, however it rounds.
+///
+/// Each vertex is moved into the ray's space in the same way whichever triangle it belongs to, and each edge is judged
+/// by the sign of one difference of products, which its two triangles compute with swapped signs. Products round
+/// monotonically, so that sign is never wrong, at worst it is zero; then the exact remainders of the products decide.
+/// Needs -ffp-contract=off: a fused product would break the antisymmetry.
+/// Source: Woop, Benthin, Wald 2013, Watertight Ray/Triangle Intersection, JCGT 2(1); the remainders by std::fma
+/// replace the paper's fall-back to double.
+/// @return nothing for a miss or a triangle seen edge-on
+std::optional<TriangleHit> intersectWatertight(const ShearedRay& sheared, const Vec3& a, const Vec3& b, const Vec3& c);
+
+}  // namespace caustic
