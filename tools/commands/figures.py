@@ -38,7 +38,7 @@ def run(args):
         raise CourseError("--full belongs to --check; run ./course figures --check --full")
     chapters = choose_chapters(args.chapters)
     ensure_packages("build")
-    cmake.build(targets=chapters, title="build the chapters")
+    cmake.build(targets=[*chapters, "preview"], title="build the chapters")
     tables = {chapter: table_of_contents(chapter) for chapter in chapters}
     require_known(args.only, tables)
     if args.check:

@@ -1,0 +1,57 @@
+"""What CMake was told agrees with what lies in the tree."""
+
+import json
+import os
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+from course_lib.chapters import all_chapters
+from course_lib.paths import FIGURES, ROOT
+from course_lib import provenance
+
+
+def read_declarations(build_dir):
+    return json.loads((Path(build_dir) / "declarations.json").read_text())
+
+
+DECLARATIONS = read_declarations(os.environ["CAUSTIC_BUILD_DIR"])
+
+
+class Declarations(unittest.TestCase):
+    def test_every_file_of_the_library_is_declared(self):
+        files = {path.relative_to(ROOT).as_posix() for folder in ("common", "tests/support")
+                 for path in (ROOT / folder).rglob("*") if path.suffix in (".h", ".cpp", ".gp")}
+        self.assertEqual(files, set(DECLARATIONS["files"]), "Which CMakeLists.txt leaves a file out?")
+
+    def test_every_chapter_is_declared(self):
+        self.assertEqual(sorted(DECLARATIONS["chapters"]), all_chapters())
+
+    def test_figures_are_those_that_are_declared(self):
+        for chapter, declared in DECLARATIONS["chapters"].items():
+            pictures = sorted(path.name for path in (FIGURES / chapter).glob("*.png"))
+            self.assertEqual(pictures, sorted(declared), f"{chapter}: FIGURES of its caustic_chapter, or figures/{chapter}?")
+
+    def test_every_file_of_a_chapters_figures_belongs_to_one(self):
+        for chapter in DECLARATIONS["chapters"]:
+            owned = {name for entry in provenance.read(FIGURES / chapter).values() for name in entry["files"]}
+            present = {path.name for path in (FIGURES / chapter).iterdir()} - {"provenance.json"}
+            self.assertEqual(present, owned, f"{chapter}: left over, or not committed?")
+
+
+class UpToAChapter(unittest.TestCase):
+    def test_later_files_and_chapters_are_not_declared(self):
+        with tempfile.TemporaryDirectory() as folder:
+            command = ["cmake", "-S", ROOT, "-B", folder, "-G", "Ninja", "-DCAUSTIC_LAST_CHAPTER=1"]
+            subprocess.run(command, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+            declarations = read_declarations(folder)
+        self.assertEqual(list(declarations["chapters"]), ["01_bezier_curves"])
+        tags = {entry["chapter"] for entry in declarations["files"].values()}
+        self.assertEqual(tags, {1})
+        first = {name for name, entry in DECLARATIONS["files"].items() if entry["chapter"] == 1}
+        self.assertEqual(set(declarations["files"]), first)
+
+
+if __name__ == "__main__":
+    unittest.main()
