@@ -22,6 +22,7 @@ struct Frame {
                 n};
     }
 
+    /// A vector's components along s, t, n, and the vector that has these components.
     Vec3 toLocal(const Vec3& world) const { return {s.dot(world), t.dot(world), n.dot(world)}; }
     Vec3 toWorld(const Vec3& local) const { return local.x() * s + local.y() * t + local.z() * n; }
 };

@@ -10,9 +10,11 @@ struct BasicInterval {
     Scalar lower;
     Scalar upper;
 
+    /// Whether no number is in it.
     bool empty() const { return !(lower <= upper); }
 };
 
+/// An interval of `Real`: of a ray's t, mostly.
 using Interval = BasicInterval<Real>;
 
 }  // namespace caustic

@@ -17,6 +17,7 @@ struct Ray {
     Real tMin = 0;
     Real tMax = std::numeric_limits<Real>::infinity();
 
+    /// The point at t, whether the ray reaches it or not.
     Vec3 at(Real t) const { return origin + t * direction; }
 
     /// Whether a hit at t counts. Both ends are left out, and NaN is out too.

@@ -6,6 +6,7 @@
 
 namespace caustic {
 
+/// A linear map of space.
 using Mat3 = Eigen::Matrix<Real, 3, 3>;
 
 /// An affine map of space that can be undone: p ↦ linear · p + translation. It may scale unevenly, shear and mirror.
@@ -17,6 +18,7 @@ public:
     /// @throws InputError when an entry is not finite, or the linear part is singular to working precision
     Transform(const Mat3& linear, const Vec3& translation);
 
+    /// Moves everything by the same vector.
     static Transform translation(const Vec3& by);
 
     /// A factor for each axis; negative ones mirror.
@@ -27,14 +29,17 @@ public:
     /// @param radians  counterclockwise when the axis points to the viewer
     static Transform rotation(const Vec3& axis, Real radians);
 
+    /// The two parts of p ↦ linear · p + translation.
     const Mat3& linear() const { return linear_; }
     const Vec3& translation() const { return translation_; }
 
+    /// The map that undoes this one.
     Transform inverse() const;
 
     /// First `right`, then `left`.
     friend Transform operator*(const Transform& left, const Transform& right);
 
+    /// A point moves with the translation; a vector (a direction, a difference of points) doesn't.
     Vec3 point(const Vec3& p) const { return linear_ * p + translation_; }
     Vec3 vector(const Vec3& v) const { return linear_ * v; }
 

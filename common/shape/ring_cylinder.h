@@ -33,6 +33,7 @@ public:
         std::array<Span, 2> span;
         int count = 0;
 
+        /// For range-based loops over those that are there.
         const Span* begin() const { return span.data(); }
         const Span* end() const { return span.data() + count; }
     };

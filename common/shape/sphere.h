@@ -11,6 +11,7 @@ public:
     /// @throws InputError unless the centre is finite and the radius finite and positive
     Sphere(const Vec3& center, Real radius);
 
+    /// Centre and radius as they were given.
     const Vec3& center() const { return center_; }
     Real radius() const { return radius_; }
 

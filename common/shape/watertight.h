@@ -13,6 +13,7 @@ namespace caustic {
 struct ShearedRay {
     explicit ShearedRay(const Ray& original);
 
+    /// The ray as it was given.
     Ray ray;
     std::array<int, 3> axis;  ///< the axes that play x, y and z; a rotation or its mirror, so that windings stay
     Vec3 shear;               ///< Sx, Sy, Sz of the paper: dx/dz, dy/dz, 1/dz
