@@ -15,8 +15,8 @@ GROUPS = {
     "build": (),
     "docs": ("build",),
     "test": ("build", "docs"),
-    "bench": ("build",),
-    "full": ("test", "bench"),
+    "bench": ("test",),
+    "full": ("bench",),
 }
 
 
