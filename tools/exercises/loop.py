@@ -1,0 +1,104 @@
+"""What the commands of the student's loop share: grading in place, what is red, which exercise is meant."""
+
+import re
+
+from course_lib.chapters import all_chapters, choose_chapters
+from course_lib.errors import CourseError
+from course_lib.packages import ensure_packages
+from course_lib.paths import BUILD, ROOT
+from course_lib.terminal import format_duration
+from exercises import student
+from exercises.building import build_tree, program
+from exercises.catalog import catalog_path, read_catalog
+from exercises.grading import ChapterGrade, not_built, run_tests
+from strip import exercises_of_tree
+
+EXERCISE_WORD = re.compile(r"(?:ex-)?0*(\d+)\.0*(\d+)")
+
+
+def catalogs(root=ROOT):
+    """The catalogs of the chapters that the student has to write and that have graded tests."""
+    first = student.first_chapter(root)
+    return [read_catalog(chapter, root) for chapter in all_chapters(root)
+            if chapter[:2] >= first and catalog_path(chapter, root).exists()]
+
+
+def chosen_catalogs(words, root=ROOT):
+    """The catalogs of the chapters named; of the first unfinished one when none is."""
+    if words:
+        return [read_catalog(chapter, root) for chapter in choose_chapters(words, root)]
+    return [current_catalog(root)]
+
+
+def current_catalog(root=ROOT):
+    """The first chapter that is not all green by what was last seen of it; the last one when all are."""
+    known = catalogs(root)
+    if not known:
+        raise CourseError("no chapter has a grading.json, so there is nothing to check")
+    for catalog in known:
+        results = student.recall(catalog, root)
+        if results is None or not all(results.passed(test) for test in catalog.tests):
+            return catalog
+    return known[-1]
+
+
+def find_exercise(word, root=ROOT):
+    """(catalog, id) of an exercise that is named as 1.3, 01.3 or ex-01.3."""
+    matched = EXERCISE_WORD.fullmatch(word)
+    id = f"ex-{int(matched[1]):02}.{matched[2]}" if matched else word
+    for catalog in catalogs(root):
+        if id in catalog.exercises:
+            return catalog, id
+    known = [id for catalog in catalogs(root) for id in catalog.exercises]
+    raise CourseError(f"there is no exercise '{word}' to write; there are {', '.join(known)}")
+
+
+def grade_in_place(catalog, time_limit=None, root=ROOT):
+    """Builds the graded tests in this tree and runs them; remembers what came out."""
+    ensure_packages("build")
+    built = build_tree(root, [catalog.target], catalog.chapter)
+    if built.error:
+        grade = not_built(catalog, built.error, built.output)
+    else:
+        outcomes = run_tests(catalog, program(root, catalog.target), BUILD / "scratch", time_limit)
+        grade = ChapterGrade(catalog, outcomes)
+    student.remember(grade, root)
+    return grade
+
+
+def up_to_date_results(catalog, root=ROOT):
+    """What is known of this very state of the sources; found out now when it is not known."""
+    results = student.recall(catalog, root)
+    if results is None or not results.fresh:
+        grade_in_place(catalog, root=root)
+        results = student.recall(catalog, root)
+    return results
+
+
+def place_of(id, root=ROOT):
+    """"common/curve/bezier_curve.cpp:34"; where it was at the start when its markers are gone."""
+    exercise = exercises_of_tree(root).get(id)
+    if exercise is None and student.is_student_tree(root):
+        exercise = student.starter_exercises(root).get(id)
+    return exercise.place if exercise else "nowhere: its markers are gone"
+
+
+def first_red(catalog, passed):
+    """(exercise, test) to do next; None when all tests pass. `passed` says whether a test passes."""
+    for id in catalog.exercises:
+        for test in catalog.tests_of(id):
+            if not passed(test):
+                return catalog.exercises[id], test
+    return None
+
+
+def count_done(catalog, passed):
+    return sum(all(passed(test) for test in catalog.tests_of(id)) for id in catalog.exercises)
+
+
+def points_of(catalog, passed):
+    return sum(test.points for test in catalog.tests if passed(test))
+
+
+def ago(seconds):
+    return "just now" if seconds < 5 else f"{format_duration(seconds)} ago"
