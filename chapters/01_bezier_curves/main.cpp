@@ -1,11 +1,20 @@
+#include <iostream>
+
 #include "chapter_inputs.h"
 #include "core/chapter.h"
 #include "figures.h"
+#include "inspect.h"
 
 int main(int argc, char** argv) {
     using namespace caustic;
-    return runChapter(thisChapter, argc, argv,
-                      {
-                          {"speed_accuracy", chartSpeedAccuracy, true},
-                      });
+    return runChapter(
+        thisChapter, argc, argv,
+        {
+            {"speed_accuracy", chartSpeedAccuracy, true},
+        },
+        {
+            {"--inspect", "FILE[#PATH]",
+             "Print the curves of a profile (control points or SVG) as JSON; #id or #number chooses a path",
+             [](const std::string& profile, const ChapterOptions&) { inspectProfile(profile, std::cout); }},
+        });
 }
