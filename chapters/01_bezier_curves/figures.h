@@ -5,6 +5,18 @@
 /// The chapter's figures, each drawn by one function; main.cpp is their table of contents.
 namespace caustic {
 
+/// De Casteljau's construction with the names of its points, and at four more parameters: de_casteljau.png.
+void drawDeCasteljau(FigureContext& context);
+
+/// A curve with its derivatives, and the same arrows from the origin: tangent_hodograph.png.
+void drawTangentHodograph(FigureContext& context);
+
+/// The same curve with beads at even parameters and at even lengths: arc_length.png.
+void drawArcLength(FigureContext& context);
+
+/// Three bounding boxes of one curve, and how sampling misses a pair of extrema: bounds.png.
+void drawBounds(FigureContext& context);
+
 /// ns per evaluation against error for four ways to evaluate: speed_accuracy.csv and .png.
 void chartSpeedAccuracy(FigureContext& context);
 

@@ -10,6 +10,10 @@ int main(int argc, char** argv) {
     return runChapter(
         thisChapter, argc, argv,
         {
+            {"de_casteljau", drawDeCasteljau},
+            {"tangent_hodograph", drawTangentHodograph},
+            {"arc_length", drawArcLength},
+            {"bounds", drawBounds},
             {"speed_accuracy", chartSpeedAccuracy, true},
         },
         {

@@ -76,7 +76,7 @@ TEST_F(CommandLine, UnknownFigureIsRefusedWithTheListOfThoseThatAre) {
 
 TEST_F(CommandLine, UnwritableOutIsRefusedByName) {
     std::ofstream(folder_ / "blocker") << "a file";
-    const ProcessResult result = run({"--out", "blocker/figures", "--only", "speed_accuracy"});
+    const ProcessResult result = run({"--out", "blocker/figures", "--only", "de_casteljau"});
     EXPECT_EQ(result.exitCode, 2) << result.output;
     EXPECT_NE(result.output.find("blocker/figures"), std::string::npos) << result.output;
     EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1);

@@ -1,0 +1,75 @@
+#include <algorithm>
+
+#include "curve/arc_length.h"
+#include "figures.h"
+#include "plane_view.h"
+
+namespace caustic {
+
+namespace {
+
+constexpr int pieces = 24;
+constexpr Real tolerance = 1e-9;  // of lengths, in the curve's unit: far below a pixel
+
+// Control points that lie close together at the left and far apart at the right: slow first, fast later.
+BezierCurve exampleCurve() {
+    return BezierCurve(
+        {Vec3(0, 0, 0), Vec3(0.2, 1.6, 0), Vec3(0.5, 2.6, 0), Vec3(3.2, 3.4, 0), Vec3(6, -4, 0), Vec3(8, 2.2, 0)});
+}
+
+std::vector<Real> evenParameters() {
+    std::vector<Real> parameters;
+    for (int i = 0; i <= pieces; ++i) parameters.push_back(Real(i) / pieces);
+    return parameters;
+}
+
+std::vector<Real> pieceLengths(const BezierCurve& curve, const std::vector<Real>& parameters) {
+    std::vector<Real> lengths;
+    for (std::size_t i = 1; i < parameters.size(); ++i) {
+        lengths.push_back(gaussLength(curve, tolerance, parameters[i - 1], parameters[i]).length);
+    }
+    return lengths;
+}
+
+void drawBeads(Drawing& drawing, const PlaneView& view, const BezierCurve& curve, const std::vector<Real>& parameters,
+               const Ink& ink) {
+    drawing.polyline(view.toPixels(samplePoints(curve, 300)), {mixed(ink, palette::white, 0.6), 5});
+    for (const Real t : parameters) drawDot(drawing, view.toPixels(curve.position(t)), 7, ink);
+}
+
+// A bar for each piece, as high as the piece is long.
+void drawBars(Drawing& drawing, const Bounds2& area, const std::vector<Real>& lengths, Real longest, const Ink& ink) {
+    const Real step = area.sizes().x() / Real(lengths.size());
+    for (std::size_t i = 0; i < lengths.size(); ++i) {
+        const Real left = area.min().x() + step * Real(i);
+        const Real top = area.max().y() - area.sizes().y() * lengths[i] / longest;
+        drawing.rectangle(Bounds2(Vec2(left + 2, top), Vec2(left + step - 2, area.max().y())), ink);
+    }
+    drawing.line({area.min().x(), area.max().y()}, area.max(), {palette::dark, 1.5});
+    drawing.text(Vec2(area.min().x(), area.max().y() + 28), "length of each piece, from the first to the last",
+                 {17, palette::dark});
+}
+
+}  // namespace
+
+void drawArcLength(FigureContext& context) {
+    const BezierCurve curve = exampleCurve();
+    Bounds2 world;
+    for (const Vec3& point : samplePoints(curve, 300)) world.extend(Vec2(point.head<2>()));
+    const std::vector<Real> byParameter = evenParameters();
+    const std::vector<Real> byLength = evenlySpaced(curve, pieces);
+    const std::vector<Real> uneven = pieceLengths(curve, byParameter);
+    const Real longest = *std::max_element(uneven.begin(), uneven.end());
+
+    Drawing drawing(1500, 760);
+    drawTitle(drawing, {40, 52}, "24 even steps in t", "crowded where the curve is slow, sparse where it is fast");
+    drawTitle(drawing, {790, 52}, "24 even steps in arc length", "every piece is as long as the others");
+    drawBeads(drawing, PlaneView(world, Bounds2(Vec2(60, 130), Vec2(710, 470))), curve, byParameter,
+              palette::vermilion);
+    drawBeads(drawing, PlaneView(world, Bounds2(Vec2(810, 130), Vec2(1460, 470))), curve, byLength, palette::blue);
+    drawBars(drawing, Bounds2(Vec2(60, 540), Vec2(710, 700)), uneven, longest, palette::vermilion);
+    drawBars(drawing, Bounds2(Vec2(810, 540), Vec2(1460, 700)), pieceLengths(curve, byLength), longest, palette::blue);
+    drawing.save(context.output("arc_length.png"));
+}
+
+}  // namespace caustic
