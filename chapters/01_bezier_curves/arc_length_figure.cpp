@@ -61,14 +61,14 @@ void drawArcLength(FigureContext& context) {
     const std::vector<Real> uneven = pieceLengths(curve, byParameter);
     const Real longest = *std::max_element(uneven.begin(), uneven.end());
 
-    Drawing drawing(1500, 760);
+    Drawing drawing(1500, 640);
     drawTitle(drawing, {40, 52}, "24 even steps in t", "crowded where the curve is slow, sparse where it is fast");
     drawTitle(drawing, {790, 52}, "24 even steps in arc length", "every piece is as long as the others");
-    drawBeads(drawing, PlaneView(world, Bounds2(Vec2(60, 130), Vec2(710, 470))), curve, byParameter,
+    drawBeads(drawing, PlaneView(world, Bounds2(Vec2(60, 115), Vec2(710, 375))), curve, byParameter,
               palette::vermilion);
-    drawBeads(drawing, PlaneView(world, Bounds2(Vec2(810, 130), Vec2(1460, 470))), curve, byLength, palette::blue);
-    drawBars(drawing, Bounds2(Vec2(60, 540), Vec2(710, 700)), uneven, longest, palette::vermilion);
-    drawBars(drawing, Bounds2(Vec2(810, 540), Vec2(1460, 700)), pieceLengths(curve, byLength), longest, palette::blue);
+    drawBeads(drawing, PlaneView(world, Bounds2(Vec2(810, 115), Vec2(1460, 375))), curve, byLength, palette::blue);
+    drawBars(drawing, Bounds2(Vec2(60, 430), Vec2(710, 585)), uneven, longest, palette::vermilion);
+    drawBars(drawing, Bounds2(Vec2(810, 430), Vec2(1460, 585)), pieceLengths(curve, byLength), longest, palette::blue);
     drawing.save(context.output("arc_length.png"));
 }
 
