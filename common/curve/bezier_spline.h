@@ -51,6 +51,7 @@ public:
     /// @throws InputError when their number is another one
     static BezierSpline fromControlPoints(const std::vector<Vec3>& points, bool closed = false);
 
+    /// All of degree 3, in order.
     const std::vector<BezierCurve>& segments() const { return segments_; }
     bool closed() const { return closed_; }
 

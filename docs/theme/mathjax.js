@@ -1,0 +1,5 @@
+MathJax.Hub.Config({
+  messageStyle: "none",
+  showMathMenu: false,
+  SVG: { font: "TeX", scale: 95, linebreaks: { automatic: false } }
+});

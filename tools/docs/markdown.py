@@ -1,0 +1,233 @@
+r"""Turns Markdown as GitHub reads it into Markdown as Doxygen 1.9.4 reads it.
+
+Formulas: $...$ becomes \f$...\f$, and $$...$$ becomes \f[...\f]. A line that is nothing but a link
+[code: ex-01.1](../../common/curve/bezier_curve.cpp) becomes the code between those markers. Links between Markdown files
+become links between pages; links to other files of the tree get the scheme tree:, which postprocess.py resolves once
+Doxygen has named its pages. Code, in fences or between backticks, stays as it is.
+"""
+
+import html
+import os
+import re
+from dataclasses import dataclass
+from pathlib import PurePosixPath
+from urllib.parse import unquote
+
+from docs.tree import FENCE, HEADING, github_anchor
+
+SNIPPET_LINE = re.compile(r"^\[code: (ex-\d\d\.\d+)\]\(([^)\s]+)\)\s*$")
+RAW_SNIPPET = re.compile(r"^\s*[\\@]snippet\b")
+# A comment <!-- name --> on a line of its own is replaced by what the site's generator of that name draws.
+GENERATED = re.compile(r"^<!-- site: ([a-z]+) -->\s*$")
+# Doxygen would give each paragraph within <details> a box of its own.
+DETAILS = re.compile(r"^\s*(</?details.*|<summary>.*)$")
+# Where the site keeps files of the tree that it shows or links to and that are no page.
+FILES_FOLDER = "files"
+RAW_HTML = "\\htmlonly[block]\n{}\n\\endhtmlonly"
+# From this many headings on, a page has a table of contents beside its text.
+MANY_HEADINGS = 4
+# Fences in other languages are set without colours: Doxygen would take them for C++.
+DOXYGEN_LANGUAGES = {"cpp": ".cpp", "c++": ".cpp", "python": ".py", "py": ".py"}
+
+INLINE = re.compile(r"""
+    (?P<code>   (?P<ticks>`+) (?!`) .+? (?<!`) (?P=ticks) (?!`) )
+  | (?P<comment> <!-- .*? --> )
+  | (?P<escaped> \\\$ )
+  | \$\$ (?P<display> .+? ) \$\$
+  | (?<![\w$]) \$ (?P<formula> (?=\S) [^$]+? (?<=\S) ) \$ (?![\w$])
+  | !\[ (?P<alt> [^\]]* ) \] \( (?P<image> [^)\s]+ ) (?:\s+"[^"]*")? \)
+  | (?<!!)\[ (?P<text> (?: [^\[\]] | !?\[[^\]]*\] )* ) \] \( (?P<target> [^)\s]+ ) (?:\s+"[^"]*")? \)
+""", re.VERBOSE | re.DOTALL)
+
+
+@dataclass(frozen=True)
+class Problem:
+    """Something in a Markdown file that would be broken on the site."""
+
+    path: PurePosixPath
+    line: int
+    text: str
+
+    def __str__(self):
+        return f"{self.path}:{self.line}: {self.text}"
+
+
+class Converter:
+    """Converts one page; collects its problems and which snippets it shows."""
+
+    def __init__(self, tree, page, snippets, generators):
+        """generators: name -> function of the page that returns Markdown for Doxygen, for <!-- site: name --> lines."""
+        self._tree = tree
+        self._page = page
+        self._snippets = snippets
+        self._generators = generators
+        self._line = 0
+        self._headings = -1  # the title isn't counted
+        self.problems = []
+        self.shown = []
+
+    def convert(self):
+        """The page's text for Doxygen."""
+        lines = (self._tree.root / self._page.path).read_text(encoding="utf-8").splitlines()
+        out = []
+        index = 0
+        while index < len(lines):
+            self._line = index + 1
+            fence = FENCE.match(lines[index])
+            end = index + 1
+            if fence:
+                while end < len(lines) and not self._closes(lines[end], fence[1]):
+                    end += 1
+                end = min(end + 1, len(lines))
+                out += self._fenced(lines[index:end])
+            elif self._is_alone(lines[index]):
+                out += self._alone(lines[index])
+            else:
+                while end < len(lines) and lines[end].strip() and not FENCE.match(lines[end]) \
+                        and not self._is_alone(lines[end]):
+                    end += 1
+                out.append(self._inline("\n".join(lines[index:end])))
+            index = end
+        return "\n".join(out) + "\n"
+
+    # Blocks
+
+    @staticmethod
+    def _closes(line, fence):
+        return line.strip().startswith(fence) and not line.strip().strip(fence[0])
+
+    @staticmethod
+    def _is_alone(line):
+        """Whether the line is a block of its own: heading, snippet, generated part, details."""
+        return any(pattern.match(line) for pattern in (HEADING, SNIPPET_LINE, RAW_SNIPPET, GENERATED, DETAILS))
+
+    def _fenced(self, lines):
+        matched = FENCE.match(lines[0])
+        language = matched[2].strip().split(" ")[0]
+        head = lines[0][:matched.start(2)] + "{" + DOXYGEN_LANGUAGES.get(language, ".unparsed") + "}"
+        return [head] + lines[1:]
+
+    def _alone(self, line):
+        if HEADING.match(line):
+            return [self._heading(HEADING.match(line))]
+        if SNIPPET_LINE.match(line):
+            return self._snippet(*SNIPPET_LINE.match(line).groups())
+        if DETAILS.match(line):
+            return ["", RAW_HTML.format(line.strip()), ""]
+        if GENERATED.match(line):
+            return self._generated(GENERATED.match(line)[1])
+        self._complain(r"GitHub shows \snippet as it stands; write [code: ex-NN.k](path/of/the/file.cpp)")
+        return []
+
+    def _heading(self, matched):
+        self._headings += 1
+        hashes, text = matched[1], self._inline(matched[2])
+        if self._headings == 0:
+            label = "mainpage" if self._page.name == "index" else self._page.name
+            contents = ["", "[TOC]", ""] if len(self._page.anchors) >= MANY_HEADINGS else []
+            return "\n".join([f"{hashes} {text} {{#{label}}}", *contents])
+        label = self._page.label(self._page.anchors[self._headings - 1])
+        return f"{hashes} {text} {{#{label}}}"
+
+    def _snippet(self, marker, target):
+        snippet = self._snippets.get(marker)
+        path = self._resolve(target)
+        if snippet is None:
+            return self._complain(f"there is no code marked //! [{marker}]")
+        if snippet.path != path:
+            return self._complain(f"{marker} is not in {path} but in {snippet.path}")
+        self.shown.append(marker)
+        head = (f'<div class="snippet-head"><span class="snippet-marker">{marker}</span> '
+                f'<a href="tree:/{path}#L{snippet.line}">{path}:{snippet.line}</a></div>')
+        return ["", head, "", "~~~~{.cpp}", snippet.code, "~~~~", ""]
+
+    def _generated(self, name):
+        if name not in self._generators:
+            return self._complain(f"the site generates no '{name}'; it generates {', '.join(sorted(self._generators))}")
+        return [self._generators[name](self._page)]
+
+    # Inside a paragraph
+
+    def _inline(self, text):
+        start = self._line
+
+        def convert(matched):
+            self._line = start + matched.string.count("\n", 0, matched.start())
+            return self._converted(matched)
+
+        result = INLINE.sub(convert, text)
+        self._line = start
+        return result
+
+    def _converted(self, matched):
+        if matched["display"] is not None:
+            return r"\f[ " + one_line(matched["display"]) + r" \f]"
+        if matched["formula"] is not None:
+            return r"\f$" + one_line(matched["formula"]) + r"\f$"
+        if matched["image"] is not None:
+            return self._image(matched["alt"], matched["image"])
+        if matched["target"] is not None:
+            return self._link(matched["text"], matched["target"])
+        if matched["comment"] is not None:
+            return ""
+        return matched[0]
+
+    def _image(self, alt, target):
+        if is_external(target):
+            self._complain(f"the site works without a network, so {target} must be a file of the tree")
+            return ""
+        path = self._resolve(target)
+        if not (self._tree.root / path).is_file():
+            self._complain(f"there is no picture {path}")
+        return image_html(path, alt)
+
+    def _link(self, text, target):
+        inner = INLINE.sub(self._converted, text)
+        if is_external(target):
+            return f"[{inner}]({target})"
+        file, _, anchor = target.partition("#")
+        path = self._resolve(file) if file else str(self._page.path)
+        if (self._tree.root / path).is_dir() and f"{path}/README.md" in self._tree.pages:
+            path = f"{path}/README.md"
+        page = self._tree.pages.get(path)
+        if page is not None:
+            return f'<a href="{page.url}{self._page_anchor(page, anchor)}">{inner}</a>'
+        if self._tree.leaves_out(path):
+            return inner
+        if path in self._tree.figure_folders():
+            return f'<a href="index.html#{path.replace("/", "-")}">{inner}</a>'
+        if not (self._tree.root / path).exists():
+            self._complain(f"dead link: there is no {path}")
+        return f'<a href="tree:/{path}{"#" + anchor if anchor else ""}">{inner}</a>'
+
+    def _page_anchor(self, page, anchor):
+        if not anchor or anchor == github_anchor(page.title):
+            return ""
+        if unquote(anchor) not in page.anchors:
+            self._complain(f"dead link: {page.path} has no heading #{anchor}")
+        return "#" + page.label(unquote(anchor))
+
+    def _resolve(self, target):
+        """A target relative to this page -> path below the tree's top."""
+        path = os.path.normpath(os.path.join(self._page.path.parent, unquote(target)))
+        return PurePosixPath(path).as_posix()
+
+    def _complain(self, text):
+        self.problems.append(Problem(self._page.path, self._line, text))
+        return []
+
+
+def one_line(formula):
+    """A line of a formula that starts with + or - would be taken for a list."""
+    return " ".join(formula.split())
+
+
+def is_external(target):
+    return re.match(r"[a-z][a-z0-9+.-]*:", target) is not None
+
+
+def image_html(path, alt):
+    """A picture of the tree, linked to itself in full size."""
+    url = f"{FILES_FOLDER}/{path}"
+    return (f'\\htmlonly<a class="figure" href="{url}"><img src="{url}" alt="{html.escape(alt)}" loading="lazy"/></a>'
+            r'\endhtmlonly')

@@ -1,0 +1,126 @@
+"""What Doxygen leaves open in its HTML: links to files of the tree, and links from code to the API pages."""
+
+import html
+import re
+import shutil
+import xml.etree.ElementTree as ElementTree
+
+from docs.markdown import FILES_FOLDER
+
+TREE_LINK = re.compile(r'href="tree:/([^"#]*)(?:#L?([^"]*))?"')
+# Doxygen offers to jump to a class's nested classes even if all of them are private, and so not listed.
+NESTED_CLASSES = '<a href="#nested-classes">Classes</a> &#124;'
+CODE_SPAN = re.compile(r"<code>([^<]+)</code>(?!</a>)")
+FRAGMENT = re.compile(r'<div class="fragment">.*?</div><!-- fragment -->', re.DOTALL)
+FRAGMENT_WORD = re.compile(r"(<[^>]*>)|\b([A-Z]\w+)\b")
+
+
+class Symbols:
+    """Where Doxygen documents what, from its tag file."""
+
+    def __init__(self, tag_file, root):
+        self._root = f"{root}/"
+        self.source_pages = {}  # path below the tree's top -> page with the source
+        self.folders = {}  # path of a folder -> its page
+        self.api = {}  # "BezierCurve", "BezierCurve::position", "runChapter" -> page and anchor
+        for compound in ElementTree.parse(tag_file).getroot():
+            read = {"file": self._read_file, "dir": self._read_folder, "class": self._read_class,
+                    "struct": self._read_class, "namespace": self._read_members}.get(compound.get("kind"))
+            if read:
+                read(compound)
+
+    def _read_file(self, compound):
+        page = compound.findtext("filename")
+        page = page if page.endswith(".html") else page + ".html"
+        path = self._below_top(compound.findtext("path")) + compound.findtext("name")
+        self.source_pages[path] = page.replace(".html", "_source.html")
+
+    def _read_folder(self, compound):
+        self.folders[self._below_top(compound.findtext("path")).rstrip("/")] = compound.findtext("filename")
+
+    def _below_top(self, path):
+        return path[len(self._root):] if path.startswith(self._root) else path
+
+    def _read_class(self, compound):
+        name = unqualified(compound.findtext("name"))
+        self.api.setdefault(name, compound.findtext("filename"))
+        self._read_members(compound, name + "::")
+
+    def _read_members(self, compound, prefix=""):
+        for member in compound.findall("member"):
+            target = f"{member.findtext('anchorfile')}#{member.findtext('anchor')}"
+            self.api.setdefault(prefix + member.findtext("name"), target)
+
+
+def unqualified(name):
+    return name[len("caustic::"):] if name.startswith("caustic::") else name
+
+
+class Finisher:
+    """Finishes the HTML pages in a folder."""
+
+    def __init__(self, root, folder, symbols):
+        self._root = root
+        self._folder = folder
+        self._symbols = symbols
+        self._fragment_names = {name for name in symbols.api if "::" not in name and name[0].isupper()}
+
+    def finish(self, lessons):
+        """All pages; in `lessons`, the pages from Markdown, names in code become links too."""
+        for path in sorted(self._folder.glob("*.html")):
+            text = before = path.read_text(encoding="utf-8")
+            text = TREE_LINK.sub(self._tree_link, text)
+            if 'name="nested-classes"' not in text:
+                text = text.replace(NESTED_CLASSES, "")
+            text = text.replace("<h3>Table of Contents</h3>", "<h3>On this page</h3>")
+            if path.name in lessons:
+                text = CODE_SPAN.sub(self._code_span, text)
+                text = FRAGMENT.sub(self._fragment, text)
+            if text != before:
+                path.write_text(text, encoding="utf-8")
+
+    def _tree_link(self, matched):
+        path, anchor = html.unescape(matched[1]), matched[2]
+        source = self._symbols.source_pages.get(path)
+        if source and (self._folder / source).exists():
+            line = f"#l{int(anchor):05}" if anchor and anchor.isdigit() else ""
+            return f'href="{source}{line}"'
+        if path in self._symbols.folders:
+            return f'href="{self._symbols.folders[path]}"'
+        if (self._root / path).is_file():
+            copy_file(self._root, path, self._folder)
+            return f'href="{FILES_FOLDER}/{html.escape(served_name(path))}"'
+        return 'class="folder"'  # a folder without a page: its name without a link
+
+    def _code_span(self, matched):
+        text = html.unescape(matched[1])
+        target = self._symbols.api.get(unqualified(re.sub(r"\(.*\)$", "", text)))
+        return f'<a class="code-link" href="{target}">{matched[0]}</a>' if target else matched[0]
+
+    def _fragment(self, matched):
+        inside_link = False
+
+        def link(token):
+            nonlocal inside_link
+            tag, word = token[1], token[2]
+            if tag:
+                inside_link = tag.startswith("<a ") or (inside_link and tag != "</a>")
+                return tag
+            if inside_link or word not in self._fragment_names:
+                return word
+            return f'<a class="code" href="{self._symbols.api[word]}">{word}</a>'
+
+        return FRAGMENT_WORD.sub(link, matched[0])
+
+
+def served_name(path):
+    """Browsers show text files whose type they know; others they would offer to save."""
+    name = path.rsplit("/", 1)[-1]
+    shown = ("png", "jpg", "jpeg", "gif", "svg", "txt", "json", "pdf", "html")
+    return path if name.rsplit(".", 1)[-1] in shown and "." in name else path + ".txt"
+
+
+def copy_file(root, path, folder):
+    target = folder / FILES_FOLDER / served_name(path)
+    target.parent.mkdir(parents=True, exist_ok=True)
+    shutil.copyfile(root / path, target)

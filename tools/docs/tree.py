@@ -1,0 +1,118 @@
+"""What the site is made from: the Markdown files of the tree, and which page each becomes."""
+
+import os
+import re
+import unicodedata
+from dataclasses import dataclass, field
+from pathlib import Path, PurePosixPath
+
+from exercises.student import LEFT_OUT, is_student_tree
+
+FENCE = re.compile(r"^ {0,3}(?:[-*]\s+|\d+\.\s+)?\s*(```+|~~~+)(.*)$")
+HEADING = re.compile(r"^(#{1,6})\s+(.*?)\s*#*\s*$")
+MAIN_PAGE = "README.md"
+# Folders whose Markdown is no page of the course.
+SKIPPED_FOLDERS = {"build", "node_modules", "mistakes", "__pycache__"}
+
+
+@dataclass
+class Page:
+    """One Markdown file and the HTML page that it becomes."""
+
+    path: PurePosixPath  # below the tree's top
+    name: str  # of the HTML file, without .html
+    title: str
+    anchors: list = field(default_factory=list)  # of its headings below the title, as GitHub names them, in order
+
+    @property
+    def url(self):
+        return f"{self.name}.html"
+
+    def label(self, anchor):
+        """Doxygen's label of a heading: unlike GitHub's anchor it has to be unique in the whole site, and ASCII."""
+        return f"{self.name}-{ascii_only(anchor)}"
+
+
+def ascii_only(text):
+    plain = unicodedata.normalize("NFKD", text).encode("ascii", "ignore").decode()
+    return re.sub(r"[^A-Za-z0-9_-]", "", plain)
+
+
+def page_name(path):
+    """chapters/01_bezier_curves/README.md -> chapter_01_bezier_curves, docs/grading.md -> grading, README.md -> index."""
+    path = PurePosixPath(path)
+    if str(path) == MAIN_PAGE:
+        return "index"
+    if path.name != "README.md":
+        return path.stem.lower()
+    folders = path.parts[:-1]
+    return f"chapter_{folders[1]}" if folders[0] == "chapters" else "about_" + "_".join(folders)
+
+
+def github_anchor(heading):
+    """The anchor that GitHub gives to a heading."""
+    text = re.sub(r"!?\[([^\]]*)\]\([^)]*\)", r"\1", heading)  # of links and images, their text
+    text = re.sub(r"[`*]", "", text).strip().lower()
+    text = re.sub(r"[^\w\- ]", "", text)
+    return text.replace(" ", "-")
+
+
+def headings(text):
+    """(level, text) of all headings outside of code."""
+    fence = None
+    for line in text.splitlines():
+        matched = FENCE.match(line)
+        if matched and fence is None:
+            fence = matched[1]
+        elif matched and fence and matched[1].startswith(fence) and not matched[2].strip():
+            fence = None
+        elif fence is None and HEADING.match(line):
+            yield len(HEADING.match(line)[1]), HEADING.match(line)[2]
+
+
+def read_page(root, path):
+    text = (root / path).read_text(encoding="utf-8")
+    found = list(headings(text))
+    title = found[0][1] if found and found[0][0] == 1 else path.stem
+    page = Page(path, page_name(path), re.sub(r"[`*]", "", title))
+    seen = {}
+    for _, heading in found[1:]:
+        anchor = github_anchor(heading)
+        times = seen.get(anchor, 0)
+        seen[anchor] = times + 1
+        page.anchors.append(f"{anchor}-{times}" if times else anchor)
+    return page
+
+
+class Tree:
+    """The Markdown pages of a source tree."""
+
+    def __init__(self, root):
+        self.root = Path(root).resolve()
+        self.pages = {str(path): read_page(self.root, path) for path in sorted(self._markdown_files())}
+
+    def _markdown_files(self):
+        for folder, folders, files in os.walk(self.root):
+            folders[:] = sorted(name for name in folders if name not in SKIPPED_FOLDERS and not name.startswith("."))
+            for name in files:
+                if name.endswith(".md"):
+                    yield PurePosixPath(Path(folder, name).relative_to(self.root).as_posix())
+
+    def leaves_out(self, path):
+        """Whether this is a student's tree, which has no such file on purpose."""
+        if not is_student_tree(self.root) or (self.root / path).exists():
+            return False
+        return f"{path}/".startswith(LEFT_OUT) or "mistakes" in PurePosixPath(path).parts
+
+    def chapters(self):
+        """Pages of the lessons, in order."""
+        return [page for page in self.pages.values() if page.name.startswith("chapter_")]
+
+    def figure_folders(self):
+        """Folders with a lesson's pictures, lessons in order: path below the tree's top -> the lesson's page."""
+        folders = {f"figures/{self.chapter_of(page)}": page for page in self.chapters()}
+        return {path: page for path, page in folders.items() if any((self.root / path).glob("*.png"))}
+
+    def chapter_of(self, page):
+        """"01_bezier_curves" of a lesson's page, None of any other."""
+        return page.path.parts[1] if page.name.startswith("chapter_") else None
