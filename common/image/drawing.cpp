@@ -16,8 +16,11 @@ namespace caustic {
 
 namespace {
 
-constexpr int fractionBits = 4;        // of OpenCV's fixed-point coordinates
-constexpr Real farthest = 2e6;         // of a coordinate on the canvas: what 32 bits hold, with room to spare
+constexpr int fractionBits = 4;  // of OpenCV's fixed-point coordinates
+constexpr Real farthest = 2e6;   // of a coordinate on the canvas: what 32 bits hold, with room to spare
+// OpenCV 4.6 paints anti-aliased shapes too large; measured for widths from 2 and radii from 5 canvas pixels.
+constexpr Real lineExcess = 1.35;  // of a line's thickness, canvas pixels
+constexpr Real radiusExcess = 0.6;
 constexpr Real capitalHeight = 0.729;  // of DejaVu Sans, in em
 constexpr Real arrowHeadLength = 5;    // in line widths
 constexpr Real arrowHeadHalfWidth = 2.2;
@@ -96,9 +99,11 @@ public:
         return points;
     }
 
+    // OpenCV rounds a thickness up to an even number, and then paints a line wider than that.
     int thickness(const Stroke& stroke) const {
         checkPositive(stroke.width, "width of a line");
-        return std::max(1, static_cast<int>(std::lround(std::min(stroke.width * samples_, Real(1000)))));
+        const Real inner = std::min(stroke.width * samples_, Real(1000)) - lineExcess;
+        return std::max(1, 2 * static_cast<int>(std::lround(inner / 2)));
     }
 
     // Lets `draw` paint with an opaque colour, then lets what was there shine through.
@@ -129,6 +134,12 @@ public:
     int fontSize(const TextStyle& style) const {
         checkPositive(style.size, "size of a text");
         return std::max(1, static_cast<int>(std::lround(std::min(style.size, Real(largestSide)) * samples_)));
+    }
+
+    // Width of the box around a text's ink, in canvas pixels.
+    Real inkWidth(const std::string& utf8, const TextStyle& style) {
+        int baseline = 0;
+        return font(style.bold).getTextSize(utf8, fontSize(style), cv::FILLED, &baseline).width;
     }
 
     cv::Mat finished() const {
@@ -228,14 +239,16 @@ void Drawing::rectangle(const Bounds2& box, const Stroke& outline) { polyline(co
 void Drawing::circle(const Vec2& centre, Real radius, const Ink& fill) {
     checkPositive(radius, "radius of a circle");
     const cv::Point place = canvas_->fixed(centre);
+    const Real inner = std::max(radius - radiusExcess / canvas_->samples(), Real(0));
     canvas_->paint(fill, boundsOf({centre}, radius + 1), [&](cv::Mat& mat, const cv::Scalar& color) {
-        cv::circle(mat, place, canvas_->fixedLength(radius), color, cv::FILLED, cv::LINE_AA, fractionBits);
+        cv::circle(mat, place, canvas_->fixedLength(inner), color, cv::FILLED, cv::LINE_AA, fractionBits);
     });
 }
 
 void Drawing::circle(const Vec2& centre, Real radius, const Stroke& outline) {
     checkPositive(radius, "radius of a circle");
-    constexpr int corners = 128;
+    // Pieces of one and a half pixels: more would make the line bolder where their soft edges meet.
+    const int corners = static_cast<int>(std::clamp(4 * radius, Real(16), Real(256)));
     std::vector<Vec2> points;
     for (int i = 0; i < corners; ++i) {
         const Real angle = 2 * std::numbers::pi * i / corners;
@@ -247,8 +260,10 @@ void Drawing::circle(const Vec2& centre, Real radius, const Stroke& outline) {
 void Drawing::text(const Vec2& place, const std::string& utf8, const TextStyle& style) {
     if (utf8.empty()) return;
     Vec2 start = place;
-    if (style.horizontal == HorizontalAnchor::Centre) start.x() -= textWidth(utf8, style) / 2;
-    if (style.horizontal == HorizontalAnchor::Right) start.x() -= textWidth(utf8, style);
+    const Real end = textWidth(utf8, style);
+    const Real firstInk = end - canvas_->inkWidth(utf8, style) / canvas_->samples();
+    if (style.horizontal == HorizontalAnchor::Centre) start.x() -= (firstInk + end) / 2;
+    if (style.horizontal == HorizontalAnchor::Right) start.x() -= end;
     if (style.vertical == VerticalAnchor::Middle) start.y() += capitalHeight / 2 * style.size;
     const cv::Point fixed = canvas_->fixed(start);
     const cv::Point origin(fixed.x >> fractionBits, fixed.y >> fractionBits);
@@ -259,9 +274,9 @@ void Drawing::text(const Vec2& place, const std::string& utf8, const TextStyle& 
 
 Real Drawing::textWidth(const std::string& utf8, const TextStyle& style) const {
     if (utf8.empty()) return 0;
-    int baseline = 0;
-    const int size = canvas_->fontSize(style);
-    return Real(canvas_->font(style.bold).getTextSize(utf8, size, cv::FILLED, &baseline).width) / canvas_->samples();
+    // The box starts at the first ink, not at the place of the text; a space before it moves its start there.
+    const Real space = canvas_->inkWidth("  ", style) - canvas_->inkWidth(" ", style);
+    return (canvas_->inkWidth(" " + utf8, style) - space) / canvas_->samples();
 }
 
 void Drawing::image(const Image& image, const Bounds2& box) {

@@ -37,8 +37,8 @@ struct TextStyle {
 ///
 /// Places are in pixels of the finished picture, x to the right and y down from its upper left corner; the centre of
 /// its first pixel is (0.5, 0.5). What lies outside is cut off. Coordinates must be finite (InputError otherwise). The
-/// same calls give the same bytes, whatever the threads. Text is UTF-8, set in DejaVu Sans; its ink's alpha is not
-/// heeded.
+/// same calls give the same bytes, whatever the threads. A line's width and a polygon's edge are right to one sample.
+/// Text is UTF-8, set in DejaVu Sans; its ink's alpha is not heeded.
 class Drawing {
 public:
     static constexpr int largestSide = 4096;
@@ -73,7 +73,7 @@ public:
 
     /// A line of text whose anchor (style.horizontal, style.vertical) stands at `place`.
     void text(const Vec2& place, const std::string& utf8, const TextStyle& style = {});
-    /// How far a text reaches to the right, in pixels.
+    /// How far a text reaches to the right of its place when that is its left end, in pixels.
     Real textWidth(const std::string& utf8, const TextStyle& style = {}) const;
 
     /// An image (sRGB-encoded, values clamped) stretched over a box; its pixels stay squares with sharp edges.

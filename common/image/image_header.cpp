@@ -73,7 +73,9 @@ private:
         if (std::filesystem::is_directory(status)) throw InputError(place, "", "is a folder, not a file");
         std::ifstream file(path, std::ios::binary);
         if (!file) throw InputError(place, "", "cannot be opened for reading");
-        if (file.peek() == std::ifstream::traits_type::eof()) throw InputError(place, "", "is empty");
+        const bool hasByte = file.peek() != std::ifstream::traits_type::eof();
+        if (file.bad()) throw InputError(place, "", "cannot be read");
+        if (!hasByte) throw InputError(place, "", "is empty");
         return file;
     }
 

@@ -5,11 +5,10 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
-#include <functional>
-#include <memory>
 #include <mutex>
 #include <opencv2/imgcodecs.hpp>
 #include <string>
+#include <vector>
 
 #include "core/atomic_file.h"
 #include "core/error.h"
@@ -93,13 +92,16 @@ cv::Mat readMat(const std::filesystem::path& path) {
 }
 
 void writeMat(const std::filesystem::path& path, const cv::Mat& mat) {
+    // Figures are committed, so PNGs are packed as small as they go; the writer of Radiance takes no such parameter.
+    std::vector<int> parameters;
+    if (path.extension() == ".png") parameters = {cv::IMWRITE_PNG_COMPRESSION, 9};
     writeAtomically(path, [&](const std::filesystem::path& temporary) {
         bool written = false;
         {
             const CapturedStandardError captured;
             enableOpenExr();
             try {
-                written = cv::imwrite(temporary.string(), mat, {cv::IMWRITE_PNG_COMPRESSION, 9});
+                written = cv::imwrite(temporary.string(), mat, parameters);
             } catch (const std::exception&) {
                 written = false;  // OpenCV's own words name the temporary file, which means nothing to the user
             }
