@@ -3,11 +3,12 @@
 import re
 import subprocess
 import sys
+import time
 from dataclasses import dataclass
 
 from course_lib.errors import CourseError
 from course_lib.paths import cores
-from course_lib.process import run
+from course_lib.process import Finished, run
 from exercises.verdicts import LAUNCH
 
 PRESET = "student"
@@ -37,22 +38,33 @@ def program(tree, name):
 def build_tree(tree, targets, title, variables=()):
     """Configures a tree with the preset `student` and builds the targets.
 
+    @param title  what the progress lines say; none are shown when it is empty
     @param variables  further CMake variables, "NAME=VALUE"
     @throws CourseError when CMake cannot configure it: that is no student's fault
     """
     folder = tree / "build" / PRESET
     if not (folder / "build.ninja").exists():
-        configured = run(["cmake", "--preset", PRESET, *(f"-D{variable}" for variable in variables)],
-                         f"configure {title}", cwd=tree)
+        configured = execute(["cmake", "--preset", PRESET, *(f"-D{variable}" for variable in variables)],
+                             title and f"configure {title}", tree)
         if configured.code != 0:
             reason = re.search(r"CMake Error.*?\n\s*(\S.*)", configured.output)
             raise CourseError(f"configuring {tree} failed: {reason[1] if reason else 'CMake said no more'}; "
                               "./course setup installs what is missing")
     limits = [str(MOST_COMPILER_MEMORY), str(MOST_COMPILER_TIME), str(MOST_COMPILER_FILE)]
     command = [sys.executable, "-I", "-S", LAUNCH, *limits, "cmake", "--build", folder, "-j", cores(), "--target", *targets]
-    finished = run(command, f"build {title}", cwd=tree)
+    finished = execute(command, title and f"build {title}", tree)
     output = readable(finished.output, tree)
     return Built("" if finished.code == 0 else first_error(output), output)
+
+
+def execute(command, title, folder):
+    """Runs a program in a folder; shows its progress when there is a title."""
+    if title:
+        return run(command, title, cwd=folder)
+    start = time.monotonic()
+    ended = subprocess.run([str(word) for word in command], cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                           stderr=subprocess.STDOUT, text=True, errors="replace")
+    return Finished(ended.returncode, ended.stdout, time.monotonic() - start)
 
 
 def readable(output, tree):

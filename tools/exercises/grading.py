@@ -1,6 +1,7 @@
 """Grades a chapter: lays out a tree, builds the graded tests, runs each, sums the points."""
 
 import concurrent.futures
+import contextlib
 import hashlib
 from dataclasses import dataclass, field
 
@@ -66,30 +67,39 @@ def grade_overlay(catalog, overlay, notes=(), time_limit=None, root=ROOT):
         if foreign:
             error = f"{foreign[0][0]}: includes {foreign[0][1]}, which is no file of the course"
             return not_built(catalog, error, "", notes)
-        outcomes = run_tests(catalog, program(tree, catalog.target), folder / "scratch", time_limit)
+        outcomes = run_tests(catalog, program(tree, catalog.target), folder / "scratch", at_most(time_limit),
+                             f"test {catalog.chapter}")
         return ChapterGrade(catalog, outcomes, notes=list(notes))
 
 
-def run_tests(catalog, test_program, scratch, time_limit=None):
+def run_tests(catalog, test_program, scratch, limit_of=lambda test: test.time_limit, title=""):
     """Runs all graded tests of a chapter, a few at a time.
 
-    @param time_limit  seconds; when given, no test gets more than this
+    @param limit_of  gives a test's time limit in seconds
+    @param title  what the progress line says; none is shown when it is empty
     """
     digest = file_digest(test_program)
 
     def run_one(test):
         if file_digest(test_program) != digest:
             return Outcome(NO_VERDICT, "a test before it has changed the test program")
-        limit = min(test.time_limit, time_limit) if time_limit else test.time_limit
-        return run_test(test_program, test.name, limit, test.memory_limit, scratch)
+        return run_test(test_program, test.name, limit_of(test), test.memory_limit, scratch)
 
-    with Step(f"test {catalog.chapter}") as step, concurrent.futures.ThreadPoolExecutor(cores()) as pool:
+    with contextlib.ExitStack() as stack:
+        step = stack.enter_context(Step(title)) if title else None
+        pool = stack.enter_context(concurrent.futures.ThreadPoolExecutor(cores()))
         waiting = {pool.submit(run_one, test): test for test in catalog.tests}
         outcomes = {}
         for finished in concurrent.futures.as_completed(waiting):
             outcomes[waiting[finished].name] = finished.result()
-            step.progress(len(outcomes), len(waiting))
+            if step:
+                step.progress(len(outcomes), len(waiting))
     return [GradedOutcome(test, outcomes[test.name]) for test in catalog.tests]
+
+
+def at_most(seconds):
+    """Time limits as grading.json gives them, none above `seconds` (when there is such a bound)."""
+    return lambda test: min(test.time_limit, seconds) if seconds else test.time_limit
 
 
 def file_digest(path):

@@ -10,7 +10,7 @@ from course_lib.terminal import format_duration
 from exercises import student
 from exercises.building import build_tree, program
 from exercises.catalog import catalog_path, read_catalog
-from exercises.grading import ChapterGrade, not_built, run_tests
+from exercises.grading import ChapterGrade, at_most, not_built, run_tests
 from strip import exercises_of_tree
 
 EXERCISE_WORD = re.compile(r"(?:ex-)?0*(\d+)\.0*(\d+)")
@@ -60,7 +60,8 @@ def grade_in_place(catalog, time_limit=None, root=ROOT):
     if built.error:
         grade = not_built(catalog, built.error, built.output)
     else:
-        outcomes = run_tests(catalog, program(root, catalog.target), BUILD / "scratch", time_limit)
+        outcomes = run_tests(catalog, program(root, catalog.target), BUILD / "scratch", at_most(time_limit),
+                             f"test {catalog.chapter}")
         grade = ChapterGrade(catalog, outcomes)
     student.remember(grade, root)
     return grade

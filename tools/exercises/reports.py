@@ -39,6 +39,8 @@ def details(graded):
     outcome = graded.outcome
     lines = [f"{graded.test.exercise}: {outcome.state}" + (f": {outcome.reason}" if outcome.reason else "")]
     for failure in outcome.failures:
+        if failure["message"] == outcome.reason and not failure["place"]:
+            continue
         lines.append("")
         if failure["place"]:
             lines.append(failure["place"])
