@@ -17,6 +17,7 @@ public:
     /// @param pixels  where, in pixels of the drawing, y down
     PlaneView(const Bounds2& world, const Bounds2& pixels);
 
+    /// Where something of the plane lies on the drawing, and how long a unit is there.
     Vec2 toPixels(const Vec3& point) const;
     std::vector<Vec2> toPixels(const std::vector<Vec3>& points) const;
     Bounds2 toPixels(const Bounds3& box) const;
