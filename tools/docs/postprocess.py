@@ -8,6 +8,8 @@ import xml.etree.ElementTree as ElementTree
 from docs.markdown import FILES_FOLDER
 
 TREE_LINK = re.compile(r'href="tree:/([^"#]*)(?:#L?([^"]*))?"')
+# Markdown has no tables without a head; those whose head is empty lose it.
+EMPTY_TABLE_HEAD = re.compile(r'<tr class="markdownTableHead">\s*(<th class="[^"]*">\s*</th>)+</tr>')
 # Doxygen offers to jump to a class's nested classes even if all of them are private, and so not listed.
 NESTED_CLASSES = '<a href="#nested-classes">Classes</a> &#124;'
 CODE_SPAN = re.compile(r"<code>([^<]+)</code>(?!</a>)")
@@ -72,6 +74,7 @@ class Finisher:
             text = TREE_LINK.sub(self._tree_link, text)
             if 'name="nested-classes"' not in text:
                 text = text.replace(NESTED_CLASSES, "")
+            text = EMPTY_TABLE_HEAD.sub("", text)
             text = text.replace("<h3>Table of Contents</h3>", "<h3>On this page</h3>")
             if path.name in lessons:
                 text = CODE_SPAN.sub(self._code_span, text)
