@@ -125,6 +125,10 @@ class Markdown(SmallTree):
         self.assertIn("common/curve/curve.cpp:5</a>", converted)
         self.assertEqual(problems, [])
 
+    def test_a_snippet_in_a_list_stays_in_it(self):
+        converted = self.convert("- so:\n\n  [code: ex-01.1](../../common/curve/curve.cpp)")[0]
+        self.assertIn("\n  ~~~~{.cpp}\n  const int sum = x + x;\n  return sum;\n  ~~~~", converted)
+
     def test_a_snippet_link_within_a_sentence_is_a_link(self):
         self.assertNotIn("~~~~", self.convert("see [code: ex-01.1](../../common/curve/curve.cpp)")[0])
 
@@ -158,6 +162,7 @@ class Problems(SmallTree):
         self.assert_problem("![x](missing.png)", 3, "no picture")
         self.assert_problem("![x](https://example.org/x.png)", 3, "without a network")
         self.assert_problem(r"\snippet common/curve/curve.cpp ex-01.1", 3, "[code: ex-NN.k]")
+        self.assert_problem("| a |\n| --- |\n| $|x|$ |", 5, "write \\lvert")
         self.assert_problem("<!-- site: moons -->", 3, "generates no 'moons'")
 
     def test_none_in_a_tree_without_mistakes(self):

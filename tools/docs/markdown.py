@@ -15,7 +15,7 @@ from urllib.parse import unquote
 
 from docs.tree import FENCE, HEADING, github_anchor
 
-SNIPPET_LINE = re.compile(r"^\[code: (ex-\d\d\.\d+)\]\(([^)\s]+)\)\s*$")
+SNIPPET_LINE = re.compile(r"^(\s*)\[code: (ex-\d\d\.\d+)\]\(([^)\s]+)\)\s*$")
 RAW_SNIPPET = re.compile(r"^\s*[\\@]snippet\b")
 # A comment <!-- name --> on a line of its own is replaced by what the site's generator of that name draws.
 GENERATED = re.compile(r"^<!-- site: ([a-z]+) -->\s*$")
@@ -129,7 +129,7 @@ class Converter:
         label = self._page.label(self._page.anchors[self._headings - 1])
         return f"{hashes} {text} {{#{label}}}"
 
-    def _snippet(self, marker, target):
+    def _snippet(self, indent, marker, target):
         snippet = self._snippets.get(marker)
         path = self._resolve(target)
         if snippet is None:
@@ -139,7 +139,7 @@ class Converter:
         self.shown.append(marker)
         head = (f'<div class="snippet-head"><span class="snippet-marker">{marker}</span> '
                 f'<a href="tree:/{path}#L{snippet.line}">{path}:{snippet.line}</a></div>')
-        return ["", head, "", "~~~~{.cpp}", snippet.code, "~~~~", ""]
+        return [indent + line for line in ["", head, "", "~~~~{.cpp}", *snippet.code.splitlines(), "~~~~", ""]]
 
     def _generated(self, name):
         if name not in self._generators:
@@ -163,6 +163,8 @@ class Converter:
         if matched["display"] is not None:
             return r"\f[ " + one_line(matched["display"]) + r" \f]"
         if matched["formula"] is not None:
+            if "|" in matched["formula"] and self._in_table(matched):
+                self._complain(r"a bar ends the table's cell, in a formula too; write \lvert and \rvert")
             return r"\f$" + one_line(matched["formula"]) + r"\f$"
         if matched["image"] is not None:
             return self._image(matched["alt"], matched["image"])
@@ -171,6 +173,11 @@ class Converter:
         if matched["comment"] is not None:
             return ""
         return matched[0]
+
+    @staticmethod
+    def _in_table(matched):
+        start = matched.string.rfind("\n", 0, matched.start()) + 1
+        return matched.string.startswith("|", start)
 
     def _image(self, alt, target):
         if is_external(target):
