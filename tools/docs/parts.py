@@ -92,15 +92,18 @@ class Parts:
             if not headers:
                 continue
             uses = f"Uses {', '.join(used)}." if used else "Uses nothing of ours."
-            sections.append(f"\n### {topic} {{#topic-{topic}}}\n\n{uses}\n\n{self._table(headers)}")
+            sections.append(f"\n### {topic} {{#topic-{topic}}}\n\n{uses}\n\n{self._table(headers, chapters=True)}")
         return "\n".join(sections)
 
-    def _table(self, headers):
-        rows = ["| header | declares | chapter |", "| :-- | :-- | :-- |"]
+    def _table(self, headers, chapters=False):
+        """What headers declare; `chapters` says which chapter brought each, too."""
+        rows = ["| header | declares | chapter |", "| :-- | :-- | :-- |"] if chapters else \
+            ["| header | declares |", "| :-- | :-- |"]
         for path in headers:
             names = ", ".join(f"`{name}`" for name in declared_names((self._tree.root / path).read_text(encoding="utf-8")))
             short = path[len("common/"):]
-            rows.append(f'| <a href="tree:/{path}">{short}</a> | {names} | {self._chapter_link(self._files[path]["chapter"])} |')
+            chapter = f' {self._chapter_link(self._files[path]["chapter"])} |' if chapters else ""
+            rows.append(f'| <a href="tree:/{path}">{short}</a> | {names} |{chapter}')
         return "\n".join(rows) + "\n"
 
     def _chapter_link(self, number):
