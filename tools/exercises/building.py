@@ -1,5 +1,6 @@
 """Builds a tree that may hold somebody else's code."""
 
+import os
 import re
 import subprocess
 import sys
@@ -59,11 +60,12 @@ def build_tree(tree, targets, title, variables=()):
 
 def execute(command, title, folder):
     """Runs a program in a folder; shows its progress when there is a title."""
+    env = {**os.environ, "LC_ALL": "C"}  # errors are looked for in English
     if title:
-        return run(command, title, cwd=folder)
+        return run(command, title, cwd=folder, env=env)
     start = time.monotonic()
-    ended = subprocess.run([str(word) for word in command], cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                           stderr=subprocess.STDOUT, text=True, errors="replace")
+    ended = subprocess.run([str(word) for word in command], cwd=folder, env=env, stdin=subprocess.DEVNULL,
+                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace")
     return Finished(ended.returncode, ended.stdout, time.monotonic() - start)
 
 

@@ -1,0 +1,141 @@
+"""./course grade on the toy course: points, reports that fit their schemas, whose chapters are graded, clear errors."""
+
+import json
+import tempfile
+import unittest
+from pathlib import Path
+
+from exercises.trees import starter_overlay
+from schema_check import json_errors, read, xml_errors
+from toy_course import course, grade, make_toy, outcomes, write_body
+
+SUMS, CLAMP, PRODUCTS = "common/math/sums.cpp", "common/math/clamp.h", "common/math/products.cpp"
+
+
+class Grade(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.top = Path(folder.name)
+        cls.toy = make_toy(cls.top / "toy")
+        cls.starter = starter_overlay(cls.toy)
+
+    def submission(self, name, files):
+        top = self.top / name
+        for path, content in files.items():
+            (top / path).parent.mkdir(parents=True, exist_ok=True)
+            (top / path).write_bytes(content)
+        return top
+
+    def reference_files(self, *paths):
+        return {path: (self.toy / path).read_bytes() for path in paths}
+
+    def grade_with_reports(self, *words):
+        """Runs grade, checks each report against its schema, returns all three with what was printed."""
+        paths = {kind: self.top / f"report.{kind}" for kind in ("json", "gradescope", "junit")}
+        ended = course(self.toy, "grade", *words, *(word for kind, path in paths.items() for word in (f"--{kind}", path)))
+        self.assertEqual(ended.returncode, 0, ended.stdout + ended.stderr)
+        self.assertEqual(json_errors(paths["json"], "grades.schema.json"), [])
+        self.assertEqual(json_errors(paths["gradescope"], "gradescope.schema.json"), [])
+        self.assertEqual(xml_errors(paths["junit"], "junit.xsd"), [])
+        return read(paths["json"]), read(paths["gradescope"]), paths["junit"].read_text(), ended.stdout
+
+    def test_the_reference_earns_all_points_of_all_chapters(self):
+        grades, gradescope, junit, printed = self.grade_with_reports()
+        self.assertEqual((grades["points"], grades["maxPoints"]), (200, 200))
+        self.assertEqual((gradescope["score"], sum(test["max_score"] for test in gradescope["tests"])), (200, 200))
+        self.assertEqual(junit.count("<testcase"), 5)
+        self.assertNotIn("<failure", junit)
+        self.assertIn("01_first: 100 of 100 points\n", printed)
+        self.assertIn("02_second: 100 of 100 points\n", printed)
+
+    def test_each_failing_test_costs_its_points_and_says_why(self):
+        files = {**self.starter, **self.reference_files(CLAMP)}
+        top = self.submission("partly", files)
+        write_body(top, "ex-01.1", "double sum = 0;\nfor (double value : values) sum += value > 0 ? value : 0;\nreturn sum;")
+        write_body(top, "ex-01.3", "return total(values) / static_cast<double>(values.size());")
+        grades, gradescope, junit, printed = self.grade_with_reports("1", "--submission", top)
+        graded = grades["chapters"][0]
+        self.assertEqual(outcomes(graded), {
+            "Sums.TotalAddsAllValues": "failed", "Sums.LargestIsTheLargest": "not implemented",
+            "Sums.MeanIsTotalOverCount": "passed", "Clamp.StaysWithinBounds": "passed"})
+        self.assertEqual(grades["points"], 30)
+        self.assertEqual(graded["exercises"]["ex-01.1"], {"points": 0, "maxPoints": 40})
+        self.assertEqual([test["score"] for test in gradescope["tests"]], [0, 0, 20, 10])
+        self.assertEqual([test["number"] for test in gradescope["tests"]], ["1.1", "1.2", "1.3", "1.4"])
+        self.assertIn("Does every value count, whatever its sign?", gradescope["tests"][0]["output"])
+        self.assertIn("Look at: Which values are added.", gradescope["tests"][0]["output"])
+        self.assertIn('failures="2" errors="0"', junit)
+        self.assertRegex(printed, r"Sums\.TotalAddsAllValues +ex-01\.1 +0/40 +failed +Does every value count")
+
+    def test_a_build_failure_is_a_clear_zero_with_the_first_error(self):
+        files = self.reference_files(CLAMP)
+        files[SUMS] = (self.toy / SUMS).read_bytes().replace(b"double sum = 0;", b"double sum = zero;")
+        top = self.submission("broken", files)
+        grades, gradescope, junit, printed = self.grade_with_reports("1", "--submission", top)
+        error = f"{SUMS}:9:18: error: 'zero' was not declared in this scope"
+        graded = grades["chapters"][0]
+        self.assertEqual((graded["points"], graded["built"], graded["error"]), (0, False, error))
+        self.assertEqual(set(outcomes(graded).values()), {"did not build"})
+        self.assertIn(error, gradescope["output"])
+        self.assertEqual(junit.count("<error"), 4)
+        self.assertIn(f"did not build: {error}", printed)
+
+    def test_a_chapter_can_be_graded_on_the_references_earlier_ones(self):
+        top = self.submission("second_only", {**self.starter, **self.reference_files(PRODUCTS)})
+        self.assertEqual(outcomes(grade(self.toy, "02", top)), {"Products.WeightsMultiplyValues": "not implemented"})
+        on_reference = grade(self.toy, "02", top, "--on-reference")
+        self.assertEqual(outcomes(on_reference), {"Products.WeightsMultiplyValues": "passed"})
+        self.assertEqual(on_reference["notes"], [])
+
+    def test_earlier_files_that_are_missing_are_noted(self):
+        graded = grade(self.toy, "02", self.submission("without_first", self.reference_files(PRODUCTS)))
+        self.assertEqual(graded["points"], 0)
+        self.assertIn(f"{SUMS} is missing; its exercises count as not done", graded["notes"])
+
+    def test_including_the_references_own_file_earns_nothing(self):
+        include = b'#include "../../../../../../common/math/sums.cpp"\n'
+        self.assertTrue((self.toy / "build/grade/1/tree/common/math" / include.split(b'"')[1].decode()).resolve(),
+                        self.toy / SUMS)
+        graded = grade(self.toy, "01", self.submission("includes", {SUMS: include, **self.reference_files(CLAMP)}))
+        self.assertEqual((graded["points"], graded["built"]), (0, False))
+        self.assertRegex(graded["error"], r"sums\.cpp\.o: includes .*common/math/sums\.cpp, which is no file of the course")
+
+    def test_a_warning_costs_nothing(self):
+        files = self.reference_files(SUMS, CLAMP)
+        files[SUMS] = files[SUMS].replace(b"double sum = 0;", b"double sum = 0;\n    int i = 2.5f;")
+        self.assertEqual(grade(self.toy, "01", self.submission("warning", files))["points"], 100)
+
+    def test_errors_are_one_line(self):
+        wrong = {
+            ("grade", "07"): "there is no chapter '07'; there are 01_first, 02_second",
+            ("grade", "--submission", "none"): "there is no submission none",
+            ("grade", "--on-reference"): "--on-reference needs --submission",
+            ("grade", "--time-limit", "0"): "--time-limit must be more than 0",
+        }
+        for words, reason in wrong.items():
+            ended = course(self.toy, *words)
+            self.assertNotEqual(ended.returncode, 0, words)
+            self.assertEqual(ended.stderr.count("\n"), 1, ended.stderr)
+            self.assertIn(reason, ended.stderr)
+
+    def test_damaged_data_is_named(self):
+        path = self.toy / "tests/02_second/grading.json"
+        good = path.read_text()
+        self.addCleanup(path.write_text, good)
+        data = json.loads(good)
+        for change, reason in (({"chapter": "02"}, "'chapter' must be '02_second'"), ({"tests": []}, "has no test"),
+                               ({"exercises": {}}, "'exercise' of Products.WeightsMultiplyValues must be one of those above")):
+            path.write_text(json.dumps({**data, **change}))
+            self.assertIn("tests/02_second/grading.json: ", course(self.toy, "grade", "02").stderr)
+            self.assertIn(reason, course(self.toy, "grade", "02").stderr)
+        data["tests"][0]["points"] = 99
+        path.write_text(json.dumps(data))
+        self.assertIn("sum to 99, not to 100", course(self.toy, "grade", "02").stderr)
+        path.write_text("{")
+        self.assertIn("tests/02_second/grading.json: ", course(self.toy, "grade", "02").stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
