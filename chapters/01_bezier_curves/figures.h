@@ -17,6 +17,9 @@ void drawArcLength(FigureContext& context);
 /// Three bounding boxes of one curve, and how sampling misses a pair of extrema: bounds.png.
 void drawBounds(FigureContext& context);
 
+/// What the course does with pictures, on one sheet (look-up, edges, files, colours, panoramas): image_tools.png.
+void drawImageTools(FigureContext& context);
+
 /// ns per evaluation against error for four ways to evaluate: speed_accuracy.csv and .png.
 void chartSpeedAccuracy(FigureContext& context);
 

@@ -14,6 +14,7 @@ int main(int argc, char** argv) {
             {"tangent_hodograph", drawTangentHodograph},
             {"arc_length", drawArcLength},
             {"bounds", drawBounds},
+            {"image_tools", drawImageTools},
             {"speed_accuracy", chartSpeedAccuracy, true},
         },
         {

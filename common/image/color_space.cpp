@@ -6,12 +6,14 @@
 namespace caustic {
 
 Real srgbEncode(Real linear) {
-    linear = std::clamp(linear, Real(0), Real(1));
+    if (!(linear > 0)) return 0;  // a NaN too: a display shows black
+    if (linear >= 1) return 1;
     return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
 }
 
 Real srgbDecode(Real encoded) {
-    encoded = std::clamp(encoded, Real(0), Real(1));
+    if (!(encoded > 0)) return 0;
+    if (encoded >= 1) return 1;
     return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
 }
 

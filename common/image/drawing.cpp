@@ -168,6 +168,19 @@ std::vector<Vec2> corners(const Bounds2& box) {
             box.corner(Bounds2::TopLeft)};
 }
 
+// The image's sRGB codes, blue first.
+cv::Mat encoded(const Image& image) {
+    cv::Mat codes(image.height(), image.width(), CV_8UC3);
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+            const Color code = (255 * srgbEncode(image.at(x, y))).round();
+            codes.at<cv::Vec3b>(y, x) = {static_cast<std::uint8_t>(code.z()), static_cast<std::uint8_t>(code.y()),
+                                         static_cast<std::uint8_t>(code.x())};
+        }
+    }
+    return codes;
+}
+
 void checkSide(int side, const std::string& what) {
     checkArgument(side >= 1 && side <= Drawing::largestSide, what, std::to_string(side),
                   "must lie between 1 and " + std::to_string(Drawing::largestSide) + " pixels");
@@ -283,6 +296,7 @@ void Drawing::image(const Image& image, const Bounds2& box) {
     checkArgument(!box.isEmpty() && box.min().allFinite() && box.max().allFinite(), "box of an image", "",
                   "must be a finite box that is not empty");
     cv::Mat& mat = canvas_->mat();
+    const cv::Mat codes = encoded(image);
     const Vec2 perPixel(image.width() / box.sizes().x(), image.height() / box.sizes().y());
     const cv::Rect area = canvas_->pixelsOf(box) & cv::Rect(0, 0, mat.cols, mat.rows);
     for (int y = area.y; y < area.y + area.height; ++y) {
@@ -290,9 +304,9 @@ void Drawing::image(const Image& image, const Bounds2& box) {
             const Vec2 place = Vec2(x + 0.5, y + 0.5) / canvas_->samples();
             if (!box.contains(place)) continue;
             const Vec2 pixel = (place - box.min()).cwiseProduct(perPixel);
-            const Color code = (255 * srgbEncode(image.nearest(pixel.x(), pixel.y()))).round();
-            mat.at<cv::Vec3b>(y, x) = {static_cast<std::uint8_t>(code.z()), static_cast<std::uint8_t>(code.y()),
-                                       static_cast<std::uint8_t>(code.x())};
+            const int column = std::min(static_cast<int>(pixel.x()), image.width() - 1);
+            const int row = std::min(static_cast<int>(pixel.y()), image.height() - 1);
+            mat.at<cv::Vec3b>(y, x) = codes.at<cv::Vec3b>(row, column);
         }
     }
 }

@@ -15,22 +15,30 @@ namespace caustic {
 
 /// How a line looks. Lengths in pixels.
 struct Stroke {
-    Ink ink = palette::dark;
-    Real width = 2;
-    Real dash = 0;  ///< length of dashes and of the gaps between them; at least 1, or 0 for a solid line
+    Ink ink = palette::dark;  ///< colour and alpha
+    Real width = 2;           ///< greater than 0
+    Real dash = 0;            ///< length of dashes and of the gaps between them; at least 1, or 0 for a solid line
 };
 
-/// Which point of a text stands at the place where it is put.
-enum class HorizontalAnchor { Left, Centre, Right };
-enum class VerticalAnchor { Baseline, Middle };  ///< Middle: half the height of a capital letter
+/// Which point of a text stands at the place where it is put, from left to right.
+enum class HorizontalAnchor {
+    Left,    ///< where writing begins
+    Centre,  ///< the middle of its ink
+    Right    ///< where its ink ends
+};
+/// The same upwards.
+enum class VerticalAnchor {
+    Baseline,  ///< what letters stand on
+    Middle     ///< half the height of a capital letter
+};
 
 /// How a text looks.
 struct TextStyle {
-    Real size = 16;  ///< height of the font (its em), pixels
-    Ink ink = palette::text;
-    bool bold = false;
-    HorizontalAnchor horizontal = HorizontalAnchor::Left;
-    VerticalAnchor vertical = VerticalAnchor::Baseline;
+    Real size = 16;                                        ///< height of the font (its em), pixels
+    Ink ink = palette::text;                               ///< colour; alpha is not heeded
+    bool bold = false;                                     ///< heavier
+    HorizontalAnchor horizontal = HorizontalAnchor::Left;  ///< what stands at the place
+    VerticalAnchor vertical = VerticalAnchor::Baseline;    ///< what stands at the place
 };
 
 /// A picture to draw on: lines, shapes and text, anti-aliased by drawing `samples` times larger along both axes.
@@ -41,22 +49,28 @@ struct TextStyle {
 /// Text is UTF-8, set in DejaVu Sans; its ink's alpha is not heeded.
 class Drawing {
 public:
+    /// Pixels; more is refused.
     static constexpr int largestSide = 4096;
 
     /// @param samples  per pixel and axis; 4 for figures, fewer where speed counts
     /// @throws InputError for sides outside [1, largestSide] or samples outside [1, 8]
     Drawing(int width, int height, const Ink& paper = palette::white, int samples = 4);
     ~Drawing();
+    /// Moves the picture; what is left behind can only be assigned to.
     Drawing(Drawing&&) noexcept;
+    /// The same.
     Drawing& operator=(Drawing&&) noexcept;
 
     /// Size of the finished picture in pixels.
+    /// Pixels in a row of the finished picture.
     int width() const;
+    /// Rows of the finished picture.
     int height() const;
 
     /// Paints everything over.
     void clear(const Ink& paper);
 
+    /// A straight line with round ends.
     /// A straight line with round ends.
     void line(const Vec2& from, const Vec2& to, const Stroke& stroke);
     /// Straight lines from point to point with round ends and corners; `closed` leads back to the first.

@@ -12,7 +12,10 @@
 namespace caustic {
 
 /// What lies beyond the border of an image: the pixel at the border, or the image once more.
-enum class Wrap { Clamp, Repeat };
+enum class Wrap {
+    Clamp,  ///< the border's pixel goes on
+    Repeat  ///< the image stands there once more
+};
 
 /// A picture in linear RGB, three floats a pixel, rows from the top.
 ///
@@ -28,7 +31,9 @@ public:
     Image(int width, int height, const Color& fill = Color::Zero());
 
     /// Size in pixels.
+    /// Pixels in a row.
     int width() const { return width_; }
+    /// Rows.
     int height() const { return height_; }
 
     /// The pixel in column x, row y; both must be inside.
@@ -38,6 +43,7 @@ public:
     }
 
     /// Gives the pixel in column x, row y another colour; both must be inside.
+    /// Sets the pixel in column x, row y; both must be inside.
     void set(int x, int y, const Color& color) {
         float* pixel = &data_[offset(x, y)];
         for (int channel = 0; channel < 3; ++channel) pixel[channel] = static_cast<float>(color[channel]);
@@ -45,6 +51,7 @@ public:
 
     /// All values: red, green, blue of the first pixel of the first row, then the next pixel's.
     std::span<const float> data() const { return data_; }
+    /// The same, to write to.
     std::span<float> data() { return data_; }
 
     /// The pixel that covers (x, y). Any finite coordinates.

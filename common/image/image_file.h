@@ -13,7 +13,10 @@ enum class Encoding {
 };
 
 /// Bits per channel of a PNG.
-enum class PngDepth { Bits8, Bits16 };
+enum class PngDepth {
+    Bits8,  ///< 256 codes
+    Bits16  ///< 65536 codes
+};
 
 /// Reads a PNG (8 or 16 bits), JPEG, OpenEXR or Radiance file; the content tells which. Grey images get three equal
 /// channels, alpha is dropped, photographs are turned upright as their EXIF data say.

@@ -19,7 +19,9 @@ public:
     static ViewTransform fit(const Bounds2& world, const Bounds2& pixels, Real margin);
 
     /// Where a point of the plane is drawn, and which point of the plane a pixel shows.
+    /// Where a point of the world is drawn.
     Vec2 toPixel(const Vec2& world) const;
+    /// Which point of the world is drawn there.
     Vec2 toWorld(const Vec2& pixel) const;
     /// Pixels per unit of the world.
     Real scale() const { return scale_; }

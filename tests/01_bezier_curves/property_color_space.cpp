@@ -39,6 +39,7 @@ TEST(ColorSpace, SrgbBringsEveryCodeBack) {
 
 TEST(ColorSpace, SrgbClampsWhatNoDisplayShows) {
     EXPECT_EQ(srgbEncode(Real(-3)), 0);
+    EXPECT_EQ(srgbEncode(std::nan("")), 0);
     EXPECT_EQ(srgbEncode(Real(7)), srgbEncode(Real(1)));
     EXPECT_EQ(srgbDecode(Real(-3)), 0);
     EXPECT_EQ(srgbDecode(Real(7)), 1);
