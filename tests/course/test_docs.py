@@ -185,6 +185,13 @@ class Problems(SmallTree):
         self.write("common/curve/patch.cpp", CURVE.replace("ex-01.1", "ex-03.1"))
         self.assertEqual(self.builder().lesson_problems(), [])
 
+    def test_a_link_to_what_a_students_tree_leaves_out(self):
+        link = "[the tests](../../tests/course/test_docs.py)"
+        self.assertEqual(len(self.convert(link)[1]), 1)
+        self.write(".course/student.json", "{}")
+        self.assertEqual(self.convert(link), ("the tests", []))
+        self.assertEqual(len(self.convert("[x](../../tests/missing.cpp)")[1]), 1)
+
     def test_a_tree_without_front_page(self):
         (self.root / "README.md").unlink()
         self.assertIn("README.md:1: it is missing", self.builder().lesson_problems()[0])

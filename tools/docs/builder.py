@@ -43,7 +43,7 @@ class Builder:
         """What is broken in the Markdown files themselves: dead links, pictures and snippets, markers not shown."""
         problems, shown = [], {}
         if MAIN_PAGE not in self._tree.pages:
-            problems.append(f"{MAIN_PAGE}:1: it is missing, and it is the site's front page")
+            problems.append(Problem(MAIN_PAGE, 1, "it is missing, and it is the site's front page"))
         for page in self._tree.pages.values():
             converter = Converter(self._tree, page, self._snippets, self._parts.generators())
             page_text(converter, page, self._parts)

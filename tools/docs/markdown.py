@@ -44,7 +44,7 @@ INLINE = re.compile(r"""
 class Problem:
     """Something in a Markdown file that would be broken on the site."""
 
-    path: PurePosixPath
+    path: object  # below the tree's top
     line: int
     text: str
 
