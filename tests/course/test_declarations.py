@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import subprocess
 import tempfile
 import unittest
@@ -38,6 +39,18 @@ class Declarations(unittest.TestCase):
             owned = {name for entry in provenance.read(FIGURES / chapter).values() for name in entry["files"]}
             present = {path.name for path in (FIGURES / chapter).iterdir()} - {"provenance.json"}
             self.assertEqual(present, owned, f"{chapter}: left over, or not committed?")
+
+
+class FrontPage(unittest.TestCase):
+    def test_every_chapter_that_stands_has_a_row_with_its_lesson_and_its_figures(self):
+        text = (ROOT / "README.md").read_text()
+        for chapter in all_chapters():
+            self.assertRegex(text, rf"(?m)^\| {chapter[:2]} \| .*\(chapters/{chapter}/README\.md\).*\(figures/{chapter}\)")
+
+    def test_links_within_the_tree_lead_somewhere(self):
+        for page in [*ROOT.glob("*.md"), *(ROOT / "docs").glob("*.md"), *(ROOT / "chapters").glob("*/README.md")]:
+            for target in re.findall(r"\]\(([^)#\s:]+)(?:#[^)]*)?\)", page.read_text()):
+                self.assertTrue((page.parent / target).exists(), f"{page.relative_to(ROOT)}: {target}")
 
 
 class UpToAChapter(unittest.TestCase):
