@@ -58,9 +58,9 @@ Real chordLength(const BezierCurve& curve, int segments) {
 }
 
 LengthEstimate gaussLength(const BezierCurve& curve, Real tolerance, Real from, Real to) {
+    //! [ex-01.5]
     checkPositive(tolerance, "tolerance");
     checkRange(from, to);
-    //! [ex-01.5]
     struct Piece {
         Real from;
         Real to;
@@ -113,8 +113,8 @@ LengthEstimate gaussLength(const BezierCurve& curve, Real tolerance, Real from, 
 }
 
 std::vector<Real> evenlySpaced(const BezierCurve& curve, int count) {
-    checkArgument(count >= 1, "count", std::to_string(count), "must be at least 1");
     //! [ex-01.6]
+    checkArgument(count >= 1, "count", std::to_string(count), "must be at least 1");
     const Velocity velocity(curve);
     std::vector<Real> cuts;
     if (velocity.largest() == 0) {

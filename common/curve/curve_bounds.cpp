@@ -24,8 +24,8 @@ BernsteinPolynomial coordinate(const BezierCurve& curve, int axis) {
 }  // namespace
 
 Bounds3 sampledBounds(const BezierCurve& curve, int samples) {
-    checkArgument(samples >= 2, "samples", std::to_string(samples), "must be at least 2");
     //! [ex-01.7]
+    checkArgument(samples >= 2, "samples", std::to_string(samples), "must be at least 2");
     const auto parameter = [&](int i) { return static_cast<Real>(std::clamp(i, 0, samples - 1)) / (samples - 1); };
     Bounds3 box;
     box.min() = curve.controlPoints().front();

@@ -1,0 +1,112 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "curve/arc_length.h"
+#include "support/known_curves.h"
+
+namespace caustic {
+namespace {
+
+// A straight line is its own chord. Its ends are 7 apart: 2² + 3² + 6² = 7².
+TEST(ChordLength, IsExactForALineInSpace) {
+    const BezierCurve line({Vec3(1, 2, 3), Vec3(3, 5, 9)});
+    for (const int segments : {1, 2, 7}) {
+        EXPECT_NEAR(chordLength(line, segments), 7, 1e-13)
+            << segments << " segments: are all of them there, and all three coordinates in each?";
+    }
+}
+
+// The polygon through (t, t²) at t = 0, 1/n ... 1.
+TEST(ChordLength, IsThePolygonsThroughEvenlySpacedParameters) {
+    for (const int segments : {1, 2, 5, 16}) {
+        Real expected = 0;
+        for (int i = 0; i < segments; ++i) {
+            const Real a = Real(i) / segments;
+            const Real b = Real(i + 1) / segments;
+            expected += std::hypot(b - a, b * b - a * a);
+        }
+        EXPECT_NEAR(chordLength(test::parabola(), segments), expected, 1e-13)
+            << segments << " segments: at which parameters do they begin and end? They join points of the curve.";
+    }
+}
+
+// z = x², a parabola's closed form: (2 sqrt(5) + asinh 2) / 4.
+TEST(GaussLength, MatchesTheParabolasClosedForm) {
+    const BezierCurve parabola({Vec3(0, 0, 0), Vec3(0.5, 0, 0), Vec3(1, 0, 1)});
+    EXPECT_NEAR(gaussLength(parabola, 1e-10).length, test::parabolaLength(1), 1e-10)
+        << "Is the sum scaled by half the interval's width, and the speed the norm of all three coordinates?";
+}
+
+// The speed |B'| has a kink at the cusp. No rule on the whole interval gets over it.
+TEST(GaussLength, ReachesTheToleranceAtACusp) {
+    for (const Real cusp : {0.11, 0.3, 0.77}) {
+        const Real length = gaussLength(test::semicubicalParabola(cusp), 1e-9).length;
+        EXPECT_NEAR(length, test::semicubicalParabolaLength(cusp, 1), 1e-9)
+            << "cusp at " << cusp << ": are the pieces halved until the error is small enough?";
+    }
+}
+
+// What the error is for: it holds the truth even when the tolerance is generous.
+TEST(GaussLength, ErrorBoundsTheTrueError) {
+    constexpr Real tolerance = 0.05;
+    for (const Real cusp : {0.11, 0.23, 0.3, 0.45, 0.77}) {
+        const LengthEstimate estimate = gaussLength(test::semicubicalParabola(cusp), tolerance);
+        const Real truth = test::semicubicalParabolaLength(cusp, 1);
+        EXPECT_LE(std::abs(estimate.length - truth), estimate.error)
+            << "cusp at " << cusp << ": do the errors of all pieces enter the result's error?";
+        EXPECT_LE(estimate.error, tolerance);
+    }
+}
+
+// Between two parameters: the difference of the closed form.
+TEST(GaussLength, MeasuresAPartOfTheCurve) {
+    for (const Real middle : {0.1, 0.5, 0.6}) {
+        const Real first = gaussLength(test::parabola(), 1e-9, 0, middle).length;
+        const Real second = gaussLength(test::parabola(), 1e-9, middle, 1).length;
+        EXPECT_NEAR(first / second,
+                    test::parabolaLength(middle) / (test::parabolaLength(1) - test::parabolaLength(middle)), 1e-7)
+            << "Where do `from` = 0, `to` = " << middle << " enter?";
+    }
+}
+
+// The closed form again, as a function of t.
+TEST(EvenlySpaced, CutsTheParabolaIntoEqualLengths) {
+    constexpr int count = 5;
+    const std::vector<Real> cuts = evenlySpaced(test::parabola(), count);
+    ASSERT_EQ(cuts.size(), 6U) << "Five pieces have how many ends?";
+    EXPECT_EQ(cuts.front(), 0);
+    EXPECT_EQ(cuts.back(), 1);
+    for (int i = 1; i < count; ++i) {
+        const Real t = cuts[static_cast<std::size_t>(i)];
+        EXPECT_NEAR(test::parabolaLength(t), test::parabolaLength(1) * i / count, 1e-8)
+            << "cut " << i << " at t = " << t << ": is it the length that is cut evenly, or the parameter?";
+    }
+}
+
+// Near the cusp the curve hardly moves: Newton's step, remaining length / speed, goes far astray.
+TEST(EvenlySpaced, GetsPastACusp) {
+    constexpr int count = 40;
+    for (const Real cusp : {0.11, 0.3, 0.77}) {
+        const std::vector<Real> cuts = evenlySpaced(test::semicubicalParabola(cusp), count);
+        ASSERT_EQ(cuts.size(), 41U);
+        for (int i = 0; i <= count; ++i) {
+            const Real reached = test::semicubicalParabolaLength(cusp, cuts[static_cast<std::size_t>(i)]);
+            EXPECT_NEAR(reached, test::semicubicalParabolaLength(cusp, 1) * i / count, 1e-8)
+                << "cut " << i << ", cusp at " << cusp << ": what stops a step from leaving the bracket?";
+        }
+    }
+}
+
+// All lengths are 0, and 0 / 0 is no parameter.
+TEST(EvenlySpaced, SpacesTheParametersOfACurveWithoutLength) {
+    const std::vector<Real> cuts = evenlySpaced(BezierCurve(std::vector<Vec3>(4, Vec3(1, 2, 3))), 4);
+    ASSERT_EQ(cuts.size(), 5U);
+    for (int i = 0; i <= 4; ++i) {
+        EXPECT_NEAR(cuts[static_cast<std::size_t>(i)], Real(i) / 4, 1e-15) << "What is divided by the length?";
+    }
+}
+
+}  // namespace
+}  // namespace caustic

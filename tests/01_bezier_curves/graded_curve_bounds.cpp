@@ -1,0 +1,79 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/random.h"
+#include "curve/curve_bounds.h"
+#include "support/known_curves.h"
+#include "support/random_curves.h"
+#include "support/reference_curve.h"
+
+namespace caustic {
+namespace {
+
+const Real peak = std::sqrt(Real(3)) / 2;  // of test::wave()
+
+// Both extrema of each coordinate lie between samples; closed form in known_curves.h.
+TEST(SampledBounds, FindsMinimumAndMaximumBetweenSamples) {
+    const Bounds3 box = sampledBounds(test::wave(), 8);
+    EXPECT_LT((box.min() - Vec3(-peak, 1 - peak, 5 - 2 * peak)).norm(), 1e-9)
+        << "Is there a search for the minimum too, in every bracket where the samples turn?";
+    EXPECT_LT((box.max() - Vec3(peak, 1 + peak, 5 + 2 * peak)).norm(), 1e-9)
+        << "Which third goes when the left one of the two inner points is higher?";
+}
+
+// A monotone coordinate is extreme at the ends, where no sample turns.
+TEST(SampledBounds, TakesInTheEndPoints) {
+    const BezierCurve curve({Vec3(0, 5, -1), Vec3(1, 3, 0), Vec3(2, 2, 4), Vec3(4, -1, 5)});
+    const Bounds3 box = sampledBounds(curve, 8);
+    EXPECT_LT((box.min() - Vec3(0, -1, -1)).norm(), 1e-13) << "Where is a rising coordinate smallest?";
+    EXPECT_LT((box.max() - Vec3(4, 5, 5)).norm(), 1e-13);
+}
+
+// y = -(t - 3/8)²: the samples at 1/4 and 1/2 are equal, to the last bit, and the maximum, 0, lies between them.
+TEST(SampledBounds, FindsAPeakBetweenEqualSamples) {
+    const BezierCurve curve({Vec3(0, -9.0 / 64, 0), Vec3(1, 15.0 / 64, 0), Vec3(2, -25.0 / 64, 0)});
+    EXPECT_NEAR(sampledBounds(curve, 5).max().y(), 0, 1e-12) << "Does a bracket need < on both sides?";
+}
+
+// Two maxima as close as 0.003, anywhere: some pairs fall between the samples of whatever grid. A hundred millionth of
+// the difference in height is allowed, far more than rounding.
+TEST(ExactBounds, SeesBothOfTwoCloseMaxima) {
+    Random random(108, {0});
+    for (int i = 0; i < 200; ++i) {
+        const Real width = std::pow(10, random.uniform(-2.5, -1));
+        const Real place = random.uniform(0.2, 0.8);
+        const BezierCurve curve = test::twoHumps(place, width);
+        const Bounds3 box = exactBounds(curve);
+        for (const Real t : {place - width, place + 1.3 * width}) {
+            const auto height = static_cast<Real>(test::ReferenceCurve(curve).position(t)[1]);
+            EXPECT_GE(box.max().y(), height - 1e-13)
+                << "t = " << t << ", the other maximum is " << 2.3 * width << " away: are all roots of y' looked at?";
+        }
+    }
+}
+
+// Never smaller than the curve, not by the last bit: the judge computes with 113 bits.
+TEST(ExactBounds, IsNeverSmallerThanTheCurve) {
+    for (const auto& [name, curve] : test::randomCurves(8, 60)) {
+        const Bounds3 box = exactBounds(curve);
+        const test::ReferenceCurve reference(curve);
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto [low, high] = reference.range(axis);
+            EXPECT_LE(test::Quad(box.min()[axis]), low) << name << ", axis " << axis << ": is rounding allowed for, "
+                                                        << "and are the end points in?";
+            EXPECT_GE(test::Quad(box.max()[axis]), high) << name << ", axis " << axis;
+        }
+    }
+}
+
+// The same closed form. The control points reach out to 3, the curve to 0.87.
+TEST(ExactBounds, IsNoLargerThanRoundingAsks) {
+    const Bounds3 box = exactBounds(test::wave());
+    EXPECT_LT((box.max() - Vec3(peak, 1 + peak, 5 + 2 * peak)).maxCoeff(), 1e-9)
+        << "Is it the curve's box, or that of its control points?";
+    EXPECT_LT((Vec3(-peak, 1 - peak, 5 - 2 * peak) - box.min()).maxCoeff(), 1e-9);
+}
+
+}  // namespace
+}  // namespace caustic
