@@ -6,6 +6,7 @@ command is a new file there; nothing else lists them.
 
 import argparse
 import importlib
+import os
 import pkgutil
 import signal
 import sys
@@ -17,6 +18,7 @@ import commands
 from course_lib.errors import CourseError
 
 INTERRUPTED = 128 + signal.SIGINT
+UNREAD = 128 + signal.SIGPIPE
 
 
 class CommandLine(argparse.ArgumentParser):
@@ -63,6 +65,10 @@ def main(arguments):
     except KeyboardInterrupt:
         print("\ncourse: interrupted", file=sys.stderr)
         return INTERRUPTED
+    except BrokenPipeError:
+        # Nobody reads on: "./course status | head". What is still buffered would fail once more at the end.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return UNREAD
 
 
 if __name__ == "__main__":
