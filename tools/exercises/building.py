@@ -2,10 +2,12 @@
 
 import os
 import re
+import shutil
 import subprocess
 import sys
 import time
 from dataclasses import dataclass
+from pathlib import Path
 
 from course_lib.errors import CourseError
 from course_lib.paths import cores
@@ -44,6 +46,8 @@ def build_tree(tree, targets, title, variables=()):
     @throws CourseError when CMake cannot configure it: that is no student's fault
     """
     folder = tree / "build" / PRESET
+    if was_moved(tree, folder):
+        shutil.rmtree(folder)
     if not (folder / "build.ninja").exists():
         configured = execute(["cmake", "--preset", PRESET, *(f"-D{variable}" for variable in variables)],
                              title and f"configure {title}", tree)
@@ -56,6 +60,15 @@ def build_tree(tree, targets, title, variables=()):
     finished = execute(command, title and f"build {title}", tree)
     output = readable(finished.output, tree)
     return Built("" if finished.code == 0 else first_error(output), output)
+
+
+def was_moved(tree, folder):
+    """Whether the tree was copied or moved together with its build folder, which is of no use then."""
+    cache = folder / "CMakeCache.txt"
+    if not cache.exists():
+        return False
+    home = re.search(r"^CMAKE_HOME_DIRECTORY:\w+=(.*)$", cache.read_text(errors="replace"), re.MULTILINE)
+    return home is None or Path(home[1]).resolve() != tree.resolve()
 
 
 def execute(command, title, folder):
