@@ -20,6 +20,7 @@ class ReferenceCurve {
 public:
     explicit ReferenceCurve(const BezierCurve& curve);
 
+    /// B(t) and B'(t). Any t.
     QuadPoint position(const Quad& t) const;
     QuadPoint velocity(const Quad& t) const;
 
