@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "curve/arc_length.h"
+#include "example_curves.h"
 #include "figures.h"
 #include "plane_view.h"
 
@@ -10,12 +11,6 @@ namespace {
 
 constexpr int pieces = 24;
 constexpr Real tolerance = 1e-9;  // of lengths, in the curve's unit: far below a pixel
-
-// Control points that lie close together at the left and far apart at the right: slow first, fast later.
-BezierCurve exampleCurve() {
-    return BezierCurve(
-        {Vec3(0, 0, 0), Vec3(0.2, 1.6, 0), Vec3(0.5, 2.6, 0), Vec3(3.2, 3.4, 0), Vec3(6, -4, 0), Vec3(8, 2.2, 0)});
-}
 
 std::vector<Real> evenParameters() {
     std::vector<Real> parameters;
@@ -53,7 +48,7 @@ void drawBars(Drawing& drawing, const Bounds2& area, const std::vector<Real>& le
 }  // namespace
 
 void drawArcLength(FigureContext& context) {
-    const BezierCurve curve = exampleCurve();
+    const BezierCurve curve = unevenCurve();
     Bounds2 world;
     for (const Vec3& point : samplePoints(curve, 300)) world.extend(Vec2(point.head<2>()));
     const std::vector<Real> byParameter = evenParameters();

@@ -121,7 +121,7 @@ void drawBounds(FigureContext& context) {
     drawBoxes(drawing);
     drawLegend(drawing, {50, 660});
     drawTitle(drawing, {790, 52}, "Two turns between neighbouring samples",
-              "x over t, with five samples over the whole curve");
+              "the upper part of x over t; five samples over the whole curve");
     drawMissedTurn(drawing, Bounds2(Vec2(810, 120), Vec2(1460, 620)));
     drawing.save(context.output("bounds.png"));
 }

@@ -1,13 +1,11 @@
 #include "core/text.h"
+#include "example_curves.h"
 #include "figures.h"
 #include "plane_view.h"
 
 namespace caustic {
 
 namespace {
-
-// One arch with a bend, so that each level of the construction lies apart from the others.
-BezierCurve exampleCurve() { return BezierCurve({Vec3(0, 0, 0), Vec3(0.9, 3.6, 0), Vec3(4.6, 4, 0), Vec3(6, 0.6, 0)}); }
 
 constexpr Ink levelInks[] = {palette::dark, palette::blue, palette::green, palette::vermilion};
 
@@ -62,7 +60,7 @@ void drawLegend(Drawing& drawing, const Vec2& corner) {
 }  // namespace
 
 void drawDeCasteljau(FigureContext& context) {
-    const BezierCurve curve = exampleCurve();
+    const BezierCurve curve = archCurve();
     const Bounds2 world(Vec2(0, 0), Vec2(6, 4));
     Drawing drawing(1500, 860);
     drawTitle(drawing, {40, 52}, "De Casteljau's construction at t = 0.4",

@@ -23,4 +23,13 @@ void drawImageTools(FigureContext& context);
 /// ns per evaluation against error for four ways to evaluate: speed_accuracy.csv and .png.
 void chartSpeedAccuracy(FigureContext& context);
 
+/// Error of the length against evaluations and time, chords and Gauss–Legendre: length.csv and .png.
+void chartLength(FigureContext& context);
+
+/// Where each method breaks, counted over random cases: failure.csv and .png.
+void chartFailures(FigureContext& context);
+
+/// What the lesson states and no chart shows, orders of convergence above all: quantity.csv.
+void tabulateQuantities(FigureContext& context);
+
 }  // namespace caustic

@@ -16,6 +16,9 @@ int main(int argc, char** argv) {
             {"bounds", drawBounds},
             {"image_tools", drawImageTools},
             {"speed_accuracy", chartSpeedAccuracy, true},
+            {"length", chartLength, true},
+            {"failure", chartFailures},
+            {"quantity", tabulateQuantities},
         },
         {
             {"--inspect", "FILE[#PATH]",

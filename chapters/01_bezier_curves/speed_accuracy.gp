@@ -5,8 +5,7 @@ methods = "'de Casteljau' 'Bernstein sum' 'power basis (Horner)' 'forward differ
 labelled = "15 60 30 15"
 set datafile missing NaN
 chosen(method, scalar) = strcol(1) eq method && strstrt(strcol(2), "scalar=".scalar) ? $5 : NaN
-degree(setting) = setting[8:strstrt(setting, ";") - 1]
-named(i, scalar) = degree(strcol(2)) eq word(labelled, i) ? chosen(word(methods, i), scalar) : NaN
+named(i, scalar) = setting_text(strcol(2), "degree") eq word(labelled, i) ? chosen(word(methods, i), scalar) : NaN
 
 set multiplot layout 1,2 title "Four ways to evaluate a Bézier curve: speed and accuracy\n{/*0.75 worst error over 100 random curves against a 113-bit reference; time per point of a curve of 201 points, preparation included; numbers: the degree}" font ",20"
 unset key
@@ -24,7 +23,7 @@ do for [scalar in "float double"] {
     set object 1 rectangle from 1.5,2.0**bits to 4000,1e31 fillcolor rgb "#f3eee6" fillstyle solid noborder behind
     set label 1 "error larger than the curve itself" at 3600,2.0**bits*8 right textcolor rgb "#8a7550" font ",13"
     plot for [i=1:4] file using 3:(chosen(word(methods, i), scalar)) with linespoints lt i, \
-         for [i=1:4] file using 3:(chosen(word(methods, i), scalar)):(degree(strcol(2))) with labels \
+         for [i=1:4] file using 3:(chosen(word(methods, i), scalar)):(setting_text(strcol(2), "degree")) with labels \
              offset (i == 4 ? -1.3 : i == 3 ? 1.3 : 0.2),(i == 4 ? 0.2 : i == 3 ? -0.2 : i == 2 ? 0.8 : -0.9) font ",12" textcolor lt i, \
          file using 3:(named(1, scalar)):(word(methods, 1)) with labels left offset 1,-2.1 font ",15" textcolor lt 1, \
          file using 3:(named(2, scalar)):(word(methods, 2)) with labels left offset 1.3,1.5 font ",15" textcolor lt 2, \

@@ -1,7 +1,7 @@
 # The one style of every chart of the course. A script adds titles, axes and plot commands.
 set terminal pngcairo size 1280,800 enhanced font "DejaVu Sans,15" linewidth 1.4 background rgb "white"
 set output output
-set datafile separator comma
+set datafile separator comma columnheaders
 set encoding utf8
 
 # Okabe and Ito's colours: told apart by colour-blind readers too, and in grey.
@@ -24,3 +24,8 @@ set title font ",17" offset 0,0.3
 set style fill solid 0.85 border rgb "#444444"
 set style histogram clustered gap 1
 set boxwidth 0.9
+
+# What a setting such as "degree=30;scalar=double" says of a key, as text and as a number.
+up_to_semicolon(text) = strstrt(text, ";") ? text[1:strstrt(text, ";") - 1] : text
+setting_text(setting, key) = up_to_semicolon(setting[strstrt(setting, key."=") + strlen(key) + 1:*])
+setting_number(setting, key) = real(setting_text(setting, key))
