@@ -146,6 +146,11 @@ class Tables(TemporaryTree):
         self.assertTrue(self.differences(old, "method,case,value\nc,x,1\n", rows="common"),
                         "Is a comparison of no rows a success?")
 
+    def test_rows_that_show_times_are_left_out(self):
+        old = "method,case,value\na,speed-up,3\na,slope,2\n"
+        new = "method,case,value\na,speed-up,4\na,slope,5\n"
+        self.assertEqual(self.differences(old, new, timed=["^a, speed-up$"]), ["a.csv: a, slope: value is 2, now 5"])
+
     def test_tables_without_names_are_compared_in_order(self):
         self.assertEqual(self.differences("x,y\n1,2\n3,4\n", "x,y\n1,2\n3,5\n"), ["a.csv: row 2: y is 4, now 5"])
         self.assertEqual(self.differences("x,y\n1,2\n3,4\n", "x,y\n1,2\n"), ["a.csv: 2 rows, now 1"])

@@ -7,6 +7,7 @@ What counts as equal stands in chapters/NN_name/check.json, when it is there:
        "relative": 1e-3,                                 for the numbers of this file
        "columns": {"error": {"relative": 0.2}},          for this column
        "ignore": ["note"],                               columns that are not compared
+       "timed": ["^kd-tree, .* speed-up$"],              rows (their keys, joined by a comma) that show measured times
        "rows": "common"}}}                               a draft may have rows that the report lacks
 Columns named time are never compared; failures and trials are compared as a rate.
 """
@@ -14,6 +15,7 @@ Columns named time are never compared; failures and trials are compared as a rat
 import csv
 import json
 import math
+import re
 from dataclasses import dataclass, field
 
 from course_lib.errors import CourseError
@@ -110,8 +112,11 @@ def compare_tables(committed, fresh, tolerances):
         return compare_by_order(name, columns, old_rows, new_rows, tolerances)
     old = {tuple(row[key] for key in keys): row for row in old_rows}
     found, common = [], 0
+    timed = tolerances.of_file(name).get("timed", [])
     for row in new_rows:
         other = old.get(tuple(row[key] for key in keys))
+        if any(re.search(pattern, row_name(row, keys)) for pattern in timed):
+            continue
         if other is not None:
             common += 1
             found += compare_rows(name, row_name(row, keys), columns, keys, other, row, tolerances)
