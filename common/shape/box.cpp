@@ -63,9 +63,10 @@ Real Box::pdfA(const SurfacePoint&) const { return 1 / (2 * (faceArea(0) + faceA
 std::optional<Real> Box::nearestT(const Ray& ray) const {
     const Interval inside = slabInterval(box_, ray);
     if (inside.empty()) return std::nullopt;
-    if (ray.reaches(inside.lower)) return inside.lower;
-    if (ray.reaches(inside.upper)) return inside.upper;
-    return std::nullopt;
+    const Real t = ray.reaches(inside.lower) ? inside.lower : inside.upper;
+    // Slabs take no notice of NaN. A ray with one must not be lost in a box as if nothing were wrong.
+    if (!ray.reaches(t) || !ray.at(t).allFinite()) return std::nullopt;
+    return t;
 }
 
 // The face whose plane the ray crosses closest to t, the rounding of slabInterval aside.

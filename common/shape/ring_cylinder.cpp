@@ -42,12 +42,13 @@ std::optional<RingCylinder::Span> RingCylinder::convexSpan(const Ray& ray) const
     Span span = {{wall.lower, Part::OuterWall}, {wall.upper, Part::OuterWall}};
     const Real y = ray.origin.y();
     if (ray.direction.y() == 0) {
-        if (y < bottom_ || y > top_) return std::nullopt;
+        if (!(y >= bottom_ && y <= top_)) return std::nullopt;
         return span;
     }
     Crossing first = {(bottom_ - y) / ray.direction.y(), Part::Bottom};
     Crossing second = {(top_ - y) / ray.direction.y(), Part::Top};
     if (first.t > second.t) std::swap(first, second);
+    if (!(first.t <= second.t)) return std::nullopt;  // NaN in the ray
     if (first.t > span.enter.t) span.enter = first;
     if (second.t < span.leave.t) span.leave = second;
     if (!(span.enter.t <= span.leave.t)) return std::nullopt;

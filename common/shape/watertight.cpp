@@ -1,9 +1,12 @@
 #include "shape/watertight.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "core/not_implemented.h"
+#include "math/double_double.h"
 
 namespace caustic {
 
@@ -15,6 +18,47 @@ Real differenceOfProducts(Real a, Real b, Real c, Real d) {
     const Real cd = c * d;
     if (ab != cd) return ab - cd;
     return std::fma(a, b, -ab) - std::fma(c, d, -cd);
+}
+
+Real largest(Real a, Real b, Real c) { return std::max({std::abs(a), std::abs(b), std::abs(c)}); }
+
+// Bound on the rounding error of n operations: Higham 2002, lemma 3.1.
+constexpr Real gamma(int n) {
+    constexpr Real unitRoundoff = std::numeric_limits<Real>::epsilon() / 2;
+    return n * unitRoundoff / (1 - n * unitRoundoff);
+}
+
+// Bound on the rounding error of u za + v zb + w zc below, from the largest coordinates in the ray's space and the
+// largest of u, v, w. Source: Pharr, Jakob, Humphreys 2016, Physically Based Rendering, 3rd ed., section 3.9.6.
+Real numeratorError(Real x, Real y, Real z, Real edge) {
+    const Real errorX = gamma(5) * (x + z);
+    const Real errorY = gamma(5) * (y + z);
+    const Real errorZ = gamma(3) * z;
+    const Real errorEdge = 2 * (gamma(2) * x * y + errorY * x + errorX * y);
+    return 3 * (gamma(3) * edge * z + errorEdge * z + errorZ * edge);
+}
+
+// A vertex in the ray's space.
+struct Sheared {
+    Real x, y, z;
+};
+
+Sheared shearedVertex(const ShearedRay& sheared, const Vec3& vertex) {
+    const auto [x, y, z] = sheared.axis;
+    const Vec3 from = vertex - sheared.ray.origin;
+    return {from[x] - sheared.shear.x() * from[z], from[y] - sheared.shear.y() * from[z], from[z]};
+}
+
+// The same number in twice the precision: six times the volume that ray origin and triangle span. A shear keeps it.
+Real exactNumerator(const ShearedRay& sheared, const Vec3& a, const Vec3& b, const Vec3& c) {
+    const auto from = [&](const Vec3& p, std::size_t which) {
+        const int axis = sheared.axis[which];
+        return DoubleDouble::difference(p[axis], sheared.ray.origin[axis]);
+    };
+    const auto term = [&](const Vec3& p, const Vec3& q, const Vec3& r) {
+        return from(p, 2) * (from(r, 0) * from(q, 1) - from(r, 1) * from(q, 0));
+    };
+    return (term(a, b, c) + term(b, c, a) + term(c, a, b)).high;
 }
 
 }  // namespace
@@ -30,16 +74,9 @@ ShearedRay::ShearedRay(const Ray& original) : ray(original) {
 
 std::optional<TriangleHit> intersectWatertight(const ShearedRay& sheared, const Vec3& a, const Vec3& b, const Vec3& c) {
     //! [ex-02.4]
-    const auto [x, y, z] = sheared.axis;
-    const Vec3 fromA = a - sheared.ray.origin;
-    const Vec3 fromB = b - sheared.ray.origin;
-    const Vec3 fromC = c - sheared.ray.origin;
-    const Real ax = fromA[x] - sheared.shear.x() * fromA[z];
-    const Real ay = fromA[y] - sheared.shear.y() * fromA[z];
-    const Real bx = fromB[x] - sheared.shear.x() * fromB[z];
-    const Real by = fromB[y] - sheared.shear.y() * fromB[z];
-    const Real cx = fromC[x] - sheared.shear.x() * fromC[z];
-    const Real cy = fromC[y] - sheared.shear.y() * fromC[z];
+    const auto [ax, ay, az] = shearedVertex(sheared, a);
+    const auto [bx, by, bz] = shearedVertex(sheared, b);
+    const auto [cx, cy, cz] = shearedVertex(sheared, c);
 
     // On which side of each edge does the ray, now the z axis, pass? Zero is on both: no edge may let a ray through.
     const Real u = differenceOfProducts(cx, by, cy, bx);
@@ -49,7 +86,10 @@ std::optional<TriangleHit> intersectWatertight(const ShearedRay& sheared, const 
     const Real determinant = u + v + w;
     if (determinant == 0) return std::nullopt;
 
-    const Real t = sheared.shear.z() * (u * fromA[z] + v * fromB[z] + w * fromC[z]) / determinant;
+    Real numerator = u * az + v * bz + w * cz;
+    const Real error = numeratorError(largest(ax, bx, cx), largest(ay, by, cy), largest(az, bz, cz), largest(u, v, w));
+    if (std::abs(numerator) <= error) numerator = exactNumerator(sheared, a, b, c);
+    const Real t = sheared.shear.z() * numerator / determinant;
     if (!sheared.ray.reaches(t)) return std::nullopt;
     return TriangleHit{t, v / determinant, w / determinant};
     //! [ex-02.4]

@@ -25,6 +25,8 @@ struct ShearedRay {
 /// Each vertex is moved into the ray's space in the same way whichever triangle it belongs to, and each edge is judged
 /// by the sign of one difference of products, which its two triangles compute with swapped signs. Products round
 /// monotonically, so that sign is never wrong, at worst it is zero; then the exact remainders of the products decide.
+/// Whether the triangle is ahead of the ray or behind it is computed in twice the precision when rounding could have
+/// changed the answer: a sliver that a ray starts on, or just inside of.
 /// Needs -ffp-contract=off: a fused product would break the antisymmetry.
 /// Source: Woop, Benthin, Wald 2013, Watertight Ray/Triangle Intersection, JCGT 2(1); the remainders by std::fma
 /// replace the paper's fall-back to double.
