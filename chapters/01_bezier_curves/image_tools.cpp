@@ -10,7 +10,6 @@
 #include "image/image_file.h"
 #include "image/laplacian.h"
 #include "image/spherical_map.h"
-#include "image/view_transform.h"
 
 namespace caustic {
 

@@ -80,12 +80,16 @@ public:
 
     /// Filled polygon, even-odd where it crosses itself.
     void polygon(const std::vector<Vec2>& points, const Ink& fill);
+    /// Filled box.
     void rectangle(const Bounds2& box, const Ink& fill);
+    /// The outline of a box; half of its width lies inside.
     void rectangle(const Bounds2& box, const Stroke& outline);
+    /// Filled disc; the radius must be greater than 0.
     void circle(const Vec2& centre, Real radius, const Ink& fill);
+    /// The outline of a disc; half of its width lies inside.
     void circle(const Vec2& centre, Real radius, const Stroke& outline);
 
-    /// A line of text whose anchor (style.horizontal, style.vertical) stands at `place`.
+    /// Writes one line of text at a place.
     void text(const Vec2& place, const std::string& utf8, const TextStyle& style = {});
     /// How far a text reaches to the right of its place when that is its left end, in pixels.
     Real textWidth(const std::string& utf8, const TextStyle& style = {}) const;
