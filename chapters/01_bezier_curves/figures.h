@@ -11,6 +11,10 @@ void drawDeCasteljau(FigureContext& context);
 /// A curve with its derivatives, and the same arrows from the origin: tangent_hodograph.png.
 void drawTangentHodograph(FigureContext& context);
 
+/// Three vessels: their profiles as splines with control polygons, joints and boxes, and what they make when revolved:
+/// profiles.png.
+void drawProfiles(FigureContext& context);
+
 /// The same curve with beads at even parameters and at even lengths: arc_length.png.
 void drawArcLength(FigureContext& context);
 

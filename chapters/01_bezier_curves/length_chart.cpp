@@ -1,3 +1,5 @@
+#include <cstdio>
+
 #include "core/csv_table.h"
 #include "core/progress.h"
 #include "core/timing.h"
@@ -42,6 +44,12 @@ struct Plan {
     }
 };
 
+std::string threeDigits(Real value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.2e", value);
+    return text;
+}
+
 void addMeasurements(Plan& plan, const TestCurve& test) {
     for (int segments = 1; segments <= 16384; segments *= 4) {
         plan.add(test, "chords", "evaluations=" + std::to_string(segments + 1),
@@ -59,7 +67,7 @@ void addMeasurements(Plan& plan, const TestCurve& test) {
         before = estimate.evaluations;
         const Real bound = estimate.error / static_cast<Real>(test.length);
         plan.add(test, "Gauss-Legendre (adaptive)",
-                 "evaluations=" + std::to_string(estimate.evaluations) + ";bound=" + formatReal(bound),
+                 "evaluations=" + std::to_string(estimate.evaluations) + ";bound=" + threeDigits(bound),
                  [curve = test.curve, asked] { return gaussLength(curve, asked).length; });
     }
 }
