@@ -30,12 +30,14 @@ public:
     /// Gap between ball and floor, in units of the scale.
     static constexpr Scalar gap = Scalar(1) / 2000;
 
+    /// @param scale  the ball's radius
     explicit ContactScene(Scalar scale)
         : normal_(Vector(Scalar(0.2), Scalar(1), Scalar(-0.1)).normalized()),
           touch_(scale * Vector(Scalar(0.7), Scalar(0.3), Scalar(-0.9))),
           center_(touch_ + scale * (1 + gap) * normal_),
           radius_(scale) {}
 
+    /// The floor's normal and where the ball comes closest to it; the ball's centre and radius.
     const Vector& normal() const { return normal_; }
     const Vector& touch() const { return touch_; }
     const Vector& center() const { return center_; }

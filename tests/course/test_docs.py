@@ -249,6 +249,9 @@ class Warnings(unittest.TestCase):
     def test_a_docstring_behind_covers_its_own_line_alone(self):
         self.assertEqual(self.relevant("int a;  ///< one\nint b;\n"), [2])
 
+    def test_what_the_compiler_writes_needs_none(self):
+        self.assertEqual(self.relevant("A(const A&) = default;\nA& operator=(const A&) = delete;\nA();\n"), [3])
+
     def test_a_comment_is_no_docstring(self):
         self.assertEqual(self.relevant("// Why.\nint a();\n"), [1, 2])
 

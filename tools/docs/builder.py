@@ -85,7 +85,7 @@ class Builder:
             return warnings + [f"Doxygen wrote no {', '.join(missing)}"]
         self._copy_mathjax()
         self._copy_pictures()
-        Finisher(self._root, self.html, Symbols(self._out / "symbols.xml", self._root)).finish(
+        Finisher(self._root, self.html, Symbols(self._out / "symbols.xml", self.html)).finish(
             {page.url for page in self._tree.pages.values()})
         return warnings + dead_links(self.html)
 

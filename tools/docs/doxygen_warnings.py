@@ -9,6 +9,8 @@ import re
 from pathlib import Path
 
 PLACE = re.compile(r"^(?P<file>[^:\n]+):(?P<line>\d+): (?:warning|error): (?P<text>.*)$")
+# Copies, moves and comparisons that the compiler writes do what everybody expects.
+DEFAULTED = re.compile(r"= (default|delete);")
 UNDOCUMENTED = re.compile(r"^(?:Member (?P<member>[~\w]+|operator\S+).*|Compound (?P<compound>[\w:]+)) is not documented\.$")
 
 
@@ -47,7 +49,7 @@ def is_declared_with_docstring(name, header):
 
 def has_docstring(lines, index):
     """Whether a docstring stands above the line within its paragraph, or behind it."""
-    if "///<" in lines[index]:
+    if "///<" in lines[index] or DEFAULTED.search(lines[index]):
         return True
     for line in reversed(lines[:index]):
         if not line.strip():

@@ -8,6 +8,8 @@ import xml.etree.ElementTree as ElementTree
 from docs.markdown import FILES_FOLDER
 
 TREE_LINK = re.compile(r'href="tree:/([^"#]*)(?:#L?([^"]*))?"')
+# The names at a page's foot that lead from the tree's top to it.
+NAVIGATION_PATH = re.compile(r'<li class="navelem">.*?>([^<]+)</(?:a|b)>')
 # Markdown has no tables without a head; those whose head is empty lose it.
 EMPTY_TABLE_HEAD = re.compile(r'<tr class="markdownTableHead">\s*(<th class="[^"]*">\s*</th>)+</tr>')
 # Doxygen offers to jump to a class's nested classes even if all of them are private, and so not listed.
@@ -18,30 +20,18 @@ FRAGMENT_WORD = re.compile(r"(<[^>]*>)|\b([A-Z]\w+)\b")
 
 
 class Symbols:
-    """Where Doxygen documents what, from its tag file."""
+    """Where Doxygen documents what: declarations from its tag file, files and folders from the pages themselves."""
 
-    def __init__(self, tag_file, root):
-        self._root = f"{root}/"
-        self.source_pages = {}  # path below the tree's top -> page with the source
-        self.folders = {}  # path of a folder -> its page
+    def __init__(self, tag_file, html_folder):
+        self.pages = {}  # path of a file or folder below the tree's top -> page
         self.api = {}  # "BezierCurve", "BezierCurve::position", "runChapter" -> page and anchor
+        for page in sorted([*html_folder.glob("*_source.html"), *html_folder.glob("dir_*.html")]):
+            self.pages["/".join(NAVIGATION_PATH.findall(page.read_text(encoding="utf-8")))] = page.name
         for compound in ElementTree.parse(tag_file).getroot():
-            read = {"file": self._read_file, "dir": self._read_folder, "class": self._read_class,
-                    "struct": self._read_class, "namespace": self._read_members}.get(compound.get("kind"))
+            read = {"class": self._read_class, "struct": self._read_class,
+                    "namespace": self._read_members}.get(compound.get("kind"))
             if read:
                 read(compound)
-
-    def _read_file(self, compound):
-        page = compound.findtext("filename")
-        page = page if page.endswith(".html") else page + ".html"
-        path = self._below_top(compound.findtext("path")) + compound.findtext("name")
-        self.source_pages[path] = page.replace(".html", "_source.html")
-
-    def _read_folder(self, compound):
-        self.folders[self._below_top(compound.findtext("path")).rstrip("/")] = compound.findtext("filename")
-
-    def _below_top(self, path):
-        return path[len(self._root):] if path.startswith(self._root) else path
 
     def _read_class(self, compound):
         name = unqualified(compound.findtext("name"))
@@ -84,12 +74,10 @@ class Finisher:
 
     def _tree_link(self, matched):
         path, anchor = html.unescape(matched[1]), matched[2]
-        source = self._symbols.source_pages.get(path)
-        if source and (self._folder / source).exists():
+        page = self._symbols.pages.get(path)
+        if page:
             line = f"#l{int(anchor):05}" if anchor and anchor.isdigit() else ""
-            return f'href="{source}{line}"'
-        if path in self._symbols.folders:
-            return f'href="{self._symbols.folders[path]}"'
+            return f'href="{page}{line}"'
         if (self._root / path).is_file():
             copy_file(self._root, path, self._folder)
             return f'href="{FILES_FOLDER}/{html.escape(served_name(path))}"'

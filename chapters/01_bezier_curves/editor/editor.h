@@ -39,6 +39,7 @@ public:
     /// The window was closed. Finishes, unless there are changes to be lost: then it asks, and finishes the next time.
     void closeRequested();
 
+    /// Whether it is over, what it edits, how that is seen, and which point the user picked.
     bool finished() const { return finished_; }
     const EditorModel& model() const { return model_; }
     const ViewTransform& view() const { return view_; }
@@ -54,6 +55,7 @@ public:
     /// The segment that u lies on, and t on it; nothing while there is no segment.
     std::optional<CurvePlace> place() const;
 
+    /// What the user switched on: boxes, construction, mirror image, adding points.
     bool showsBoxes() const { return boxes_; }
     bool showsConstruction() const { return construction_; }
     bool showsMirror() const { return mirror_; }

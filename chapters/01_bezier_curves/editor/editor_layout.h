@@ -11,6 +11,7 @@ namespace caustic {
 /// Where things are in the editor's window, in pixels: what the painter draws there, the mouse finds there.
 namespace editor_layout {
 
+/// Sizes of the window and of its parts.
 inline constexpr int width = 1200;
 inline constexpr int height = 720;
 inline constexpr int panelWidth = 300;   ///< on the right

@@ -55,6 +55,7 @@ public:
     /// @throws InputError when the spline is not flat (z = 0), its segments don't meet, or there are too many
     EditorModel(const BezierSpline& spline, const std::string& file);
 
+    /// The curve's nodes in order; when it is closed, a segment leads from the last to the first.
     const std::vector<EditorNode>& nodes() const { return now_.nodes; }
     bool closed() const { return now_.closed; }
     std::size_t segmentCount() const;
