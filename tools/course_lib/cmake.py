@@ -1,6 +1,7 @@
 """Configures and builds with CMake's presets."""
 
 import json
+import os
 import re
 
 from course_lib.errors import CourseError
@@ -8,6 +9,8 @@ from course_lib.paths import ROOT, build_dir, cores
 from course_lib.process import run
 from course_lib.terminal import say
 
+# Errors are looked for in English; and ccache, which minds the language, shares what any of our builds compiled.
+ENGLISH = {**os.environ, "LC_ALL": "C"}
 FIRST_ERROR = re.compile(r"^(.*?(?:\berror:|undefined reference).*)$", re.MULTILINE)
 
 
@@ -39,7 +42,7 @@ def configure(preset="release", variables=None):
     command = ["cmake", "--preset", preset, *(f"-D{name}={value}" for name, value in variables.items())]
     if home not in (None, str(ROOT)):
         command.append("--fresh")  # the tree was copied or moved together with its build folder
-    finished = run(command, f"configure {preset}")
+    finished = run(command, f"configure {preset}", env=ENGLISH)
     if finished.code != 0:
         say(finished.output)
         first = re.search(r"CMake Error.*?\n\s*(\S.*)", finished.output)
@@ -53,7 +56,7 @@ def build(preset="release", targets=(), title=None):
     command = ["cmake", "--build", build_dir(preset), "-j", cores()]
     if targets:
         command += ["--target", *targets]
-    finished = run(command, title or f"build {preset}")
+    finished = run(command, title or f"build {preset}", env=ENGLISH)
     if finished.code == 0:
         return finished
     say(failures(finished.output))
