@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <string>
+#include <string_view>
 
 #include "core/error.h"
 #include "core/text.h"
@@ -13,14 +14,17 @@ inline void checkArgument(bool holds, const std::string& what, const std::string
     if (!holds) throw InputError({what, 0}, value, reason);
 }
 
+// Below, what an error would say is put together only when there is one: curves check each of their coordinates.
+
 /// Throws InputError unless `value` is a finite number.
-inline void checkFinite(double value, const std::string& what) {
-    checkArgument(std::isfinite(value), what, formatReal(value), "must be a finite number");
+inline void checkFinite(double value, std::string_view what) {
+    if (!std::isfinite(value)) throw InputError({std::string(what), 0}, formatReal(value), "must be a finite number");
 }
 
 /// Throws InputError unless `value` is finite and greater than zero.
-inline void checkPositive(double value, const std::string& what) {
-    checkArgument(std::isfinite(value) && value > 0, what, formatReal(value), "must be greater than 0");
+inline void checkPositive(double value, std::string_view what) {
+    if (!std::isfinite(value) || value <= 0)
+        throw InputError({std::string(what), 0}, formatReal(value), "must be greater than 0");
 }
 
 }  // namespace caustic
