@@ -27,9 +27,9 @@ std::vector<Vec3> raised(const std::vector<Vec3>& points) {
 }
 
 BezierCurve asCubic(BezierCurve curve) {
-    checkArgument(curve.degree() <= cubic, "segment of a spline", "degree " + std::to_string(curve.degree()),
-                  "must be of degree 3 or lower");
     if (curve.degree() == cubic) return curve;
+    checkArgument(curve.degree() < cubic, "segment of a spline", "degree " + std::to_string(curve.degree()),
+                  "must be of degree 3 or lower");
     std::vector<Vec3> points = curve.controlPoints();
     while (points.size() <= cubic) points = raised(points);
     return BezierCurve(std::move(points));
@@ -78,8 +78,9 @@ BezierSpline::BezierSpline(std::vector<BezierCurve> segments, bool closed) : clo
     for (BezierCurve& segment : segments) {
         for (const Vec3& point : segment.controlPoints()) {
             const Real largest = point.cwiseAbs().maxCoeff();
-            checkArgument(largest <= largestCoordinate, "control point", formatReal(largest),
-                          "must not be larger than " + formatReal(largestCoordinate));
+            if (largest > largestCoordinate)
+                throw InputError({"control point", 0}, formatReal(largest),
+                                 "must not be larger than " + formatReal(largestCoordinate));
         }
         segments_.push_back(asCubic(std::move(segment)));
     }
@@ -129,10 +130,12 @@ std::vector<Joint> BezierSpline::joints(const JointTolerance& tolerance) const {
 }
 
 LengthEstimate BezierSpline::length(Real tolerance) const {
+    checkPositive(tolerance, "tolerance");
     const auto count = static_cast<Real>(segments_.size());
+    const Real share = std::max(tolerance / count, std::numeric_limits<Real>::denorm_min());
     LengthEstimate total{0, 0, 0};
     for (const BezierCurve& segment : segments_) {
-        const LengthEstimate own = gaussLength(segment, tolerance / count);
+        const LengthEstimate own = gaussLength(segment, share);
         total.length += own.length;
         total.error += own.error;
         total.evaluations += own.evaluations;

@@ -66,6 +66,7 @@ public:
 
     /// Length of all segments together, gaps not included; the error is a proven bound, as gaussLength gives it.
     /// @param tolerance  largest error wanted, in the control points' unit; greater than 0
+    /// @throws InputError when tolerance is not
     LengthEstimate length(Real tolerance) const;
 
     /// The smallest box of the curve, padded by the rounding bound: see exactBounds.

@@ -13,7 +13,7 @@ namespace caustic {
 constexpr Real largestCoordinate = 1e100;
 
 /// Most bytes of a profile's file, of either kind.
-constexpr std::size_t mostProfileBytes = std::size_t{32} << 20;
+constexpr std::size_t mostProfileBytes = std::size_t{16} << 20;
 
 /// Most cubic segments that one path may have. Together with mostProfileBytes this keeps what a file of bad will can
 /// make the reader hold below 200 MB.

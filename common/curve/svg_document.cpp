@@ -289,7 +289,8 @@ const SvgPathElement* pathWithId(const SvgDocument& document, const std::string&
 
 SvgDocument parseSvg(std::string_view text, const std::string& file) {
     checkIsText(text, file);
-    if (text.size() > mostProfileBytes) throw InputError({file, 0}, "", "is larger than 32 MiB");
+    if (text.size() > mostProfileBytes)
+        throw InputError({file, 0}, "", "is larger than " + std::to_string(mostProfileBytes >> 20) + " MiB");
     checkMarkup(text, file);
 
     // Line ends stay as they are, so that lines within an attribute can be counted.

@@ -125,7 +125,8 @@ private:
     // Meets the beginning: by moving an end that rounding alone parts from it, or else by a line.
     void closeSubpath() {
         constexpr Real rounding = 1e-9;
-        const Real size = std::max(current_.cwiseAbs().maxCoeff(), begin_.cwiseAbs().maxCoeff());
+        Real size = begin_.cwiseAbs().maxCoeff();
+        for (const CubicPiece& piece : pieces_) size = std::max(size, piece.end.cwiseAbs().maxCoeff());
         if ((current_ - begin_).cwiseAbs().maxCoeff() <= rounding * size) {
             pieces_.back().end = begin_;
         } else {

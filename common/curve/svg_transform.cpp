@@ -36,10 +36,13 @@ public:
         transform_rotate(angle);
         transform_translate(-x, -y);
     }
-    void transform_skew_x(Real angle) { result_.shear(std::tan(radians(angle)), 0); }
-    void transform_skew_y(Real angle) { result_.shear(0, std::tan(radians(angle))); }
+    void transform_skew_x(Real angle) { skew(std::tan(radians(angle)), 0); }
+    void transform_skew_y(Real angle) { skew(0, std::tan(radians(angle))); }
 
 private:
+    // x' = x + byY y, y' = byX x + y. (Eigen's shear takes the two the other way round.)
+    void skew(Real byY, Real byX) { result_.shear(byX, byY); }
+
     SvgTransform result_ = SvgTransform::Identity();
 };
 
