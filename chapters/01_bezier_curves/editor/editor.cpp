@@ -168,8 +168,9 @@ void Editor::addAt(const Vec2& pixel) {
     const Vec2 world = view_.toWorld(pixel);
     const auto place = model_.nearestPlace(world);
     const bool onCurve = place && place->distance * view_.scale() <= editor_layout::reach;
+    const bool first = model_.segmentCount() == 0;
     selected_ = onCurve ? model_.split(*place) : model_.add(world);
-    setU(u_);
+    setU(first ? Real(0.5) : u_);
     say(onCurve ? "Split the curve here; its shape stays" : "Added a point");
 }
 

@@ -87,7 +87,7 @@ private:
     std::optional<PointId> selected_;
     std::string status_;
     bool complaining_ = false;
-    Real u_ = 0.5;
+    Real u_ = 0;
     bool boxes_ = true;
     bool construction_ = true;
     bool mirror_ = false;
