@@ -1,5 +1,5 @@
 MathJax.Hub.Config({
   messageStyle: "none",
   showMathMenu: false,
-  SVG: { font: "TeX", scale: 95, linebreaks: { automatic: false } }
+  SVG: { font: "TeX", scale: 90, linebreaks: { automatic: false } }
 });

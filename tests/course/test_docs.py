@@ -33,7 +33,7 @@ int twice(int x);
 
 }  // namespace caustic
 """
-LESSON = """# 01 Curves
+LESSON = """# Curves
 
 ## The idea
 
@@ -169,7 +169,7 @@ class Problems(SmallTree):
         self.assertEqual(self.builder().lesson_problems(), [])
 
     def test_an_exercise_that_its_lesson_does_not_show(self):
-        self.write("chapters/01_curves/README.md", "# 01 Curves\n")
+        self.write("chapters/01_curves/README.md", "# Curves\n")
         problems = [text for text in self.builder().lesson_problems() if "ex-01.1" in text]
         self.assertEqual(problems, ["common/curve/curve.cpp:5: the lesson of chapter 01 shows ex-01.1 0 times instead of once"])
 
@@ -214,6 +214,7 @@ class Doxygen(SmallTree):
         self.assertEqual(builder.lesson_problems() + builder.build(), [])
         lesson = (builder.html / "chapter_01_curves.html").read_text()
         self.assertIn(r"\(2x\)", lesson)
+        self.assertIn('<div class="title">01 Curves </div>', lesson)
         self.assertIn("curve_8cpp_source.html#l00005", lesson)
         self.assertIn('href="namespacecaustic.html#', lesson)  # `twice` in what the chapter adds to the library
         self.assertRegex((builder.html / "architecture.html").read_text(), r"<svg(.|\n)*>curve</text>")

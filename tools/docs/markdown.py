@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from pathlib import PurePosixPath
 from urllib.parse import unquote
 
-from docs.tree import FENCE, HEADING, github_anchor
+from docs.tree import FENCE, HEADING
 
 SNIPPET_LINE = re.compile(r"^(\s*)\[code: (ex-\d\d\.\d+)\]\(([^)\s]+)\)\s*$")
 RAW_SNIPPET = re.compile(r"^\s*[\\@]snippet\b")
@@ -123,6 +123,7 @@ class Converter:
         self._headings += 1
         hashes, text = matched[1], self._inline(matched[2])
         if self._headings == 0:
+            text = self._page.title
             label = "mainpage" if self._page.name == "index" else self._page.name
             contents = ["", "[TOC]", ""] if len(self._page.anchors) >= MANY_HEADINGS else []
             return "\n".join([f"{hashes} {text} {{#{label}}}", *contents])
@@ -208,7 +209,7 @@ class Converter:
         return f'<a href="tree:/{path}{"#" + anchor if anchor else ""}">{inner}</a>'
 
     def _page_anchor(self, page, anchor):
-        if not anchor or anchor == github_anchor(page.title):
+        if not anchor or anchor == page.own_anchor:
             return ""
         if unquote(anchor) not in page.anchors:
             self._complain(f"dead link: {page.path} has no heading #{anchor}")

@@ -31,7 +31,9 @@ class Parts:
         sections = []
         for folder, page in self._tree.figure_folders().items():
             captions = self._captions(page)
-            pictures = sorted((self._tree.root / folder).glob("*.png"))
+            order = list(captions)  # as the lesson shows them; others follow
+            pictures = sorted((self._tree.root / folder).glob("*.png"),
+                              key=lambda path: (order.index(path.name) if path.name in order else len(order), path.name))
             cells = "".join(self._thumbnail(picture, captions) for picture in pictures)
             sections.append(f'<h3 id="{folder.replace("/", "-")}"><a href="{page.url}">{html.escape(page.title)}</a></h3>\n'
                             f'<div class="gallery">{cells}</div>')

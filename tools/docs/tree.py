@@ -21,7 +21,8 @@ class Page:
 
     path: PurePosixPath  # below the tree's top
     name: str  # of the HTML file, without .html
-    title: str
+    title: str  # with the chapter's number in front, if it is a lesson
+    own_anchor: str  # of its title, as GitHub names it
     anchors: list = field(default_factory=list)  # of its headings below the title, as GitHub names them, in order
 
     @property
@@ -73,8 +74,11 @@ def headings(text):
 def read_page(root, path):
     text = (root / path).read_text(encoding="utf-8")
     found = list(headings(text))
-    title = found[0][1] if found and found[0][0] == 1 else path.stem
-    page = Page(path, page_name(path), re.sub(r"[`*]", "", title))
+    heading = found[0][1] if found and found[0][0] == 1 else path.stem
+    name = page_name(path)
+    number = f"{path.parts[1][:2]} " if name.startswith("chapter_") else ""
+    title = re.sub(r"[`*]", "", heading)
+    page = Page(path, name, title if title.startswith(number) else number + title, github_anchor(heading))
     seen = {}
     for _, heading in found[1:]:
         anchor = github_anchor(heading)
