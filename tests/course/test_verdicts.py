@@ -101,6 +101,14 @@ class RunTest(unittest.TestCase):
         self.assertEqual(outcome.output, "['results.json']\n")
         self.assertEqual(list((self.folder / "scratch").iterdir()), [])
 
+    def test_folders_that_it_locks_are_removed_and_links_not_followed(self):
+        outside = self.folder / "outside"
+        outside.mkdir(mode=0o755)
+        (outside / "kept").write_text("")
+        self.run_program(f'os.makedirs("a/b")\nos.symlink({str(outside)!r}, "link")\nos.chmod("a/b", 0)\nos.chmod("a", 0)\n')
+        self.assertEqual(list((self.folder / "scratch").iterdir()), [])
+        self.assertEqual((outside.stat().st_mode & 0o777, list(outside.iterdir())), (0o755, [outside / "kept"]))
+
     def test_it_sees_nothing_of_the_graders_environment(self):
         outcome = self.run_program('print(sorted(os.environ))\nverdict("passed")')
         self.assertNotIn("PYTHONPATH", outcome.output)

@@ -76,6 +76,16 @@ def source_files_of_copy(folder):
             yield (Path(parent) / name).relative_to(folder).as_posix()
 
 
+def remove_tree(folder):
+    """Removes a folder, also one in which somebody else's code took rights away; what resists stays."""
+    for parent, folders, _ in os.walk(folder):
+        for name in folders:
+            path = Path(parent) / name
+            if not path.is_symlink():
+                path.chmod(0o700)  # before os.walk looks into it
+    shutil.rmtree(folder, ignore_errors=True)
+
+
 @contextlib.contextmanager
 def work_folder(kind, keep=False):
     """A folder build/<kind>/<n> that no other run uses meanwhile; empty at the start unless `keep`."""
@@ -92,8 +102,8 @@ def work_folder(kind, keep=False):
         raise CourseError(f"{parent} is in use by too many runs; wait for them")
     folder = parent / str(number)
     try:
-        if not keep and folder.exists():
-            shutil.rmtree(folder)
+        if not keep:
+            remove_tree(folder)
         folder.mkdir(exist_ok=True)
         yield folder
     finally:

@@ -17,6 +17,8 @@ import time
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from exercises.trees import remove_tree
+
 LAUNCH = Path(__file__).resolve().parent / "launch.py"
 MOST_OUTPUT = 16 * 1024  # bytes of a test's output that are kept
 MOST_VERDICT = 256 * 1024
@@ -138,10 +140,13 @@ def run_test(program, test, time_limit, memory_limit, scratch):
     @param time_limit  seconds; @param memory_limit MiB of address space
     """
     scratch.mkdir(parents=True, exist_ok=True)
-    with tempfile.TemporaryDirectory(dir=scratch) as folder:
+    folder = tempfile.mkdtemp(dir=scratch)
+    try:
         process = TestProcess(program, test, time_limit, memory_limit, folder)
         code, output, line = process.finish()
         seconds = time.monotonic() - process.start
+    finally:
+        remove_tree(folder)
     outcome = judge(code, line, process.word, output, time_limit)
     outcome.output = output
     outcome.seconds = seconds
