@@ -12,6 +12,7 @@ int main(int argc, char** argv) {
         {
             {"de_casteljau", drawDeCasteljau},
             {"tangent_hodograph", drawTangentHodograph},
+            {"profiles", drawProfiles},
             {"arc_length", drawArcLength},
             {"bounds", drawBounds},
             {"image_tools", drawImageTools},

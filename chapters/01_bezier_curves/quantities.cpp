@@ -47,7 +47,7 @@ void addLengths(CsvTable& table, const std::string& name, const BezierCurve& cur
     table.addRow("chords", name, slope(chords), "order: slope of log error over log segments", "113-bit; theory -2");
 
     const LengthEstimate estimate = gaussLength(curve, 1e-12 * static_cast<Real>(reference));
-    table.addRow("Gauss-Legendre (adaptive)", name, estimate.evaluations, "evaluations for a proven 1e-12",
+    table.addRow("Gauss-Legendre (adaptive)", name + ": asked for 1e-12", estimate.evaluations, "evaluations",
                  "its bound");
     table.addRow("Gauss-Legendre (adaptive)", name + ": what it got", relativeError(estimate.length, reference),
                  "relative error", "113-bit");
