@@ -36,7 +36,8 @@ double peakMemoryMiB() {
     return static_cast<double>(usage.ru_maxrss) / 1024;
 }
 
-double rounded(double value, double step) { return std::round(value / step) * step; }
+// To hundredths, so that it is written as "0.95".
+double hundredths(double value) { return std::round(value * 100) / 100; }
 
 nlohmann::ordered_json readProvenance(const std::filesystem::path& path) {
     if (!std::filesystem::exists(path)) return nlohmann::ordered_json::object();
@@ -65,7 +66,7 @@ void recordProvenance(const ChapterInputs& inputs, const ChapterOptions& options
     entry["seed"] = options.seed;
     entry["threads"] = options.threads;
     entry["timed"] = figure.timed;
-    entry["seconds"] = rounded(cost.seconds, 0.01);
+    entry["seconds"] = hundredths(cost.seconds);
     entry["peak_mib"] = std::round(cost.peakMiB);
     writeTextAtomically(path, json.dump(2) + "\n");
 }
