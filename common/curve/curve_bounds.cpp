@@ -27,33 +27,31 @@ Bounds3 sampledBounds(const BezierCurve& curve, int samples) {
     //! [ex-01.7]
     checkArgument(samples >= 2, "samples", std::to_string(samples), "must be at least 2");
     const auto parameter = [&](int i) { return static_cast<Real>(std::clamp(i, 0, samples - 1)) / (samples - 1); };
-    Bounds3 box;
-    box.min() = curve.controlPoints().front();
-    box.max() = curve.controlPoints().front();
-    for (int axis = 0; axis < 3; ++axis) {
-        const BernsteinPolynomial x = coordinate(curve, axis);
-        for (const int sign : {-1, 1}) {
-            const auto height = [&](Real t) { return sign * x.evaluate(t); };
-            for (int i = 0; i < samples; ++i) {
-                // The samples turn here: between the neighbours there is a maximum of sign × x.
-                if (height(parameter(i)) < height(parameter(i - 1))) continue;
-                if (height(parameter(i)) < height(parameter(i + 1))) continue;
-                Real low = parameter(i - 1);
-                Real high = parameter(i + 1);
-                for (int step = 0; step < 100; ++step) {
-                    const Real third = (high - low) / 3;
-                    if (height(low + third) < height(high - third)) {
-                        low += third;
-                    } else {
-                        high -= third;
-                    }
-                }
-                for (const Real t : {parameter(i), low, high}) {
-                    box.min()[axis] = std::min(box.min()[axis], x.evaluate(t));
-                    box.max()[axis] = std::max(box.max()[axis], x.evaluate(t));
+    const auto highest = [&](const auto& height) {
+        Real best = std::max(height(0), height(1));
+        for (int i = 0; i < samples; ++i) {
+            Real low = parameter(i - 1);
+            Real high = parameter(i + 1);
+            // Only where the samples turn is there a maximum between the neighbours.
+            if (height(parameter(i)) < height(low) || height(parameter(i)) < height(high)) continue;
+            for (int step = 0; step < 100; ++step) {
+                const Real third = (high - low) / 3;
+                if (height(low + third) < height(high - third)) {
+                    low += third;
+                } else {
+                    high -= third;
                 }
             }
+            best = std::max({best, height(parameter(i)), height(low), height(high)});
         }
+        return best;
+    };
+
+    Bounds3 box;
+    for (int axis = 0; axis < 3; ++axis) {
+        const BernsteinPolynomial x = coordinate(curve, axis);
+        box.max()[axis] = highest([&](Real t) { return x.evaluate(t); });
+        box.min()[axis] = -highest([&](Real t) { return -x.evaluate(t); });
     }
     return box;
     //! [ex-01.7]

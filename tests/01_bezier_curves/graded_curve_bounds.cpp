@@ -15,7 +15,7 @@ const Real peak = std::sqrt(Real(3)) / 2;  // of test::wave()
 
 // Both extrema of each coordinate lie between samples; closed form in known_curves.h.
 TEST(SampledBounds, FindsMinimumAndMaximumBetweenSamples) {
-    const Bounds3 box = sampledBounds(test::wave(), 8);
+    const Bounds3 box = sampledBounds(test::wave(), 9);
     EXPECT_LT((box.min() - Vec3(-peak, 1 - peak, 5 - 2 * peak)).norm(), 1e-9)
         << "Is there a search for the minimum too, in every bracket where the samples turn?";
     EXPECT_LT((box.max() - Vec3(peak, 1 + peak, 5 + 2 * peak)).norm(), 1e-9)
