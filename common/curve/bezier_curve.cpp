@@ -6,10 +6,13 @@
 
 #include "core/check.h"
 #include "core/not_implemented.h"
+#include "curve/bernstein.h"
 
 namespace caustic {
 
 namespace {
+
+constexpr Real unitRoundoff = std::numeric_limits<Real>::epsilon() / 2;
 
 // Bound of the rounding error of split(t) in each coordinate: 3 operations a round, n rounds, whose weights' sizes sum
 // to |1-t| + |t| each.
@@ -18,7 +21,20 @@ Real splitError(const std::vector<Vec3>& controlPoints, Real t) {
     Real size = 0;
     for (const Vec3& point : controlPoints) size = std::max(size, point.cwiseAbs().maxCoeff());
     const Real growth = std::pow(std::abs(1 - t) + std::abs(t), degree);
-    return 3 * degree * (std::numeric_limits<Real>::epsilon() / 2) * growth * size;
+    return 3 * degree * unitRoundoff * growth * size;
+}
+
+// The derivative's direction where rounding can't blur it. The steps of a split curve would do as well, but they shrink
+// with 1 - t, and rounding doesn't.
+std::optional<Vec3> clearDirection(const BezierCurve& curve, Real t) {
+    if (!(t >= 0 && t <= 1)) return std::nullopt;
+    const BezierCurve hodograph = curve.hodograph();
+    Real largest = 0;
+    for (const Vec3& control : hodograph.controlPoints()) largest = std::max(largest, control.cwiseAbs().maxCoeff());
+    const Vec3 velocity = evaluateBernstein<Vec3>(hodograph.controlPoints(), t);
+    const Real rounding = (16 * curve.degree() + 16) * unitRoundoff * largest;
+    if (!(velocity.cwiseAbs().maxCoeff() > 1024 * rounding)) return std::nullopt;
+    return velocity.stableNormalized();
 }
 
 }  // namespace
@@ -52,6 +68,8 @@ Vec3 BezierCurve::derivative(Real t) const {
 }
 
 std::optional<Vec3> BezierCurve::tangent(Real t) const {
+    if (const std::optional<Vec3> direction = clearDirection(*this, t)) return direction;
+
     // B(t + s) - B(t) starts with the first of the right part's control points that differs from B(t); at the end the
     // same holds for the left part, read backwards.
     const auto [left, right] = split(t);
