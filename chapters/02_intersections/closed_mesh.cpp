@@ -95,11 +95,12 @@ Real ballInside(const ClosedMesh& mesh) {
     return least;
 }
 
-Transform randomPlace(Random& random) {
+Transform randomPlace(Random& random, std::optional<Real> away) {
     const auto turn = [&] { return Transform::rotation(randomDirection(random), random.uniform(0, 6)); };
     const Vec3 factors(1, std::pow(10, random.uniform(-0.5, 0.5)), std::pow(10, random.uniform(-0.5, 0.5)));
-    const Vec3 away = std::pow(10, random.uniform(-2, 2)) * randomDirection(random);
-    return Transform::translation(away) * turn() * Transform::scaling(factors) * turn();
+    const Real distance = std::pow(10, random.uniform(-2, 2));
+    const Vec3 place = away.value_or(distance) * randomDirection(random);
+    return Transform::translation(place) * turn() * Transform::scaling(factors) * turn();
 }
 
 }  // namespace
@@ -115,7 +116,7 @@ Vec3 ClosedMesh::pointInside(Random& random) const {
     return center + p.x() * insideAxes[0] + p.y() * insideAxes[1] + p.z() * insideAxes[2];
 }
 
-ClosedMesh randomClosedMesh(Random& random) {
+ClosedMesh randomClosedMesh(Random& random, std::optional<Real> away) {
     static const ClosedMesh smooth = [] {
         ClosedMesh mesh = icosahedron();
         subdivide(mesh);
@@ -124,7 +125,7 @@ ClosedMesh randomClosedMesh(Random& random) {
     }();
     ClosedMesh mesh = smooth;
     for (Vec3& vertex : mesh.vertices) vertex *= random.uniform(0.7, 1.3);
-    const Transform place = randomPlace(random);
+    const Transform place = randomPlace(random, away);
     const Real radius = 0.9 * ballInside(mesh);
     mesh.center = place.translation();
     for (int axis = 0; axis < 3; ++axis) {

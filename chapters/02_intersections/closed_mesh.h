@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "core/random.h"
@@ -26,7 +27,8 @@ struct ClosedMesh {
 };
 
 /// A bumpy closed mesh of 80 triangles: an icosahedron's subdivision with a random radius at each vertex, stretched by
-/// up to 10, turned, and moved by up to 100 of its sizes. No two are alike.
-ClosedMesh randomClosedMesh(Random& random);
+/// up to 10, turned, and moved away from the coordinates' origin. No two are alike.
+/// @param away  how far, in its sizes; between 0.01 and 100 at random by default
+ClosedMesh randomClosedMesh(Random& random, std::optional<Real> away = std::nullopt);
 
 }  // namespace caustic

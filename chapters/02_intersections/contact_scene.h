@@ -25,6 +25,7 @@ public:
         Vector point;
         Vector normal;     ///< unit, outwards
         Scalar magnitude;  ///< as in SurfacePoint
+        bool onBall;       ///< or else on the floor
     };
 
     /// Gap between ball and floor, in units of the scale.
@@ -63,11 +64,11 @@ public:
     /// A point moved onto the ball, onto the floor.
     Point ballPoint(const Vector& near) const {
         const Vector normal = (near - center_).normalized();
-        return {center_ + radius_ * normal, normal, center_.cwiseAbs().maxCoeff() + radius_};
+        return {center_ + radius_ * normal, normal, center_.cwiseAbs().maxCoeff() + radius_, true};
     }
     Point floorPoint(const Vector& near) const {
         const Vector point = near - normal_.dot(near - touch_) * normal_;
-        return {point, normal_, std::max(point.cwiseAbs().maxCoeff(), touch_.cwiseAbs().maxCoeff())};
+        return {point, normal_, std::max(point.cwiseAbs().maxCoeff(), touch_.cwiseAbs().maxCoeff()), false};
     }
 
 private:

@@ -15,47 +15,67 @@ namespace {
 
 constexpr std::int64_t raysPerMesh = 10000;
 
-bool hitsByCramer(const Ray& ray, const Vec3& a, const Vec3& b, const Vec3& c) {
-    return intersectCramer(ray, a, b, c).has_value();
-}
+// A method: what it prepares for a ray, and how it tests a triangle with that.
+struct ByCramer {
+    using Prepared = Ray;
+    static bool hits(const Ray& ray, const Vec3& a, const Vec3& b, const Vec3& c) {
+        return intersectCramer(ray, a, b, c).has_value();
+    }
+};
 
-bool hitsWatertight(const Ray& ray, const Vec3& a, const Vec3& b, const Vec3& c) {
-    return intersectWatertight(ShearedRay(ray), a, b, c).has_value();
-}
+struct Watertight {
+    using Prepared = ShearedRay;
+    static bool hits(const ShearedRay& sheared, const Vec3& a, const Vec3& b, const Vec3& c) {
+        return intersectWatertight(sheared, a, b, c).has_value();
+    }
+};
 
-// What -ffp-contract=fast makes of the textbook's lines: each difference of products, the shear's too, is fused. Then
+// What -ffp-contract=fast makes of the paper's lines: each difference of products, the shear's too, is fused. Then
 // a·b − c·d is no longer the negative of c·d − a·b, and the two triangles at an edge may both call it outside.
-bool hitsContracted(const Ray& ray, const Vec3& a, const Vec3& b, const Vec3& c) {
-    const ShearedRay sheared(ray);
-    const auto [x, y, z] = sheared.axis;
-    const Vec3 fromA = a - ray.origin;
-    const Vec3 fromB = b - ray.origin;
-    const Vec3 fromC = c - ray.origin;
-    const auto shearedX = [&, x = x, z = z](const Vec3& p) { return std::fma(-sheared.shear.x(), p[z], p[x]); };
-    const auto shearedY = [&, y = y, z = z](const Vec3& p) { return std::fma(-sheared.shear.y(), p[z], p[y]); };
-    const auto fused = [](Real p, Real q, Real r, Real s) { return std::fma(p, q, -(r * s)); };
-    const Real u = fused(shearedX(fromC), shearedY(fromB), shearedY(fromC), shearedX(fromB));
-    const Real v = fused(shearedX(fromA), shearedY(fromC), shearedY(fromA), shearedX(fromC));
-    const Real w = fused(shearedX(fromB), shearedY(fromA), shearedY(fromB), shearedX(fromA));
-    if ((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0)) return false;
-    const Real determinant = u + v + w;
-    if (determinant == 0) return false;
-    return ray.reaches(sheared.shear.z() * (u * fromA[z] + v * fromB[z] + w * fromC[z]) / determinant);
+struct WatertightFused {
+    using Prepared = ShearedRay;
+    static Vec3 shearedVertex(const ShearedRay& sheared, const Vec3& vertex) {
+        const auto [x, y, z] = sheared.axis;
+        const Vec3 from = vertex - sheared.ray.origin;
+        return {std::fma(-sheared.shear.x(), from[z], from[x]), std::fma(-sheared.shear.y(), from[z], from[y]),
+                from[z]};
+    }
+    static Real fused(Real p, Real q, Real r, Real s) { return std::fma(p, q, -(r * s)); }
+
+    static bool hits(const ShearedRay& sheared, const Vec3& a, const Vec3& b, const Vec3& c) {
+        const Vec3 p = shearedVertex(sheared, a);
+        const Vec3 q = shearedVertex(sheared, b);
+        const Vec3 r = shearedVertex(sheared, c);
+        const Real u = fused(r.x(), q.y(), r.y(), q.x());
+        const Real v = fused(p.x(), r.y(), p.y(), r.x());
+        const Real w = fused(q.x(), p.y(), q.y(), p.x());
+        if ((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0)) return false;
+        const Real determinant = u + v + w;
+        if (determinant == 0) return false;
+        return sheared.ray.reaches(sheared.shear.z() * (u * p.z() + v * q.z() + w * r.z()) / determinant);
+    }
+};
+
+template <typename Method>
+bool hitsBy(const Ray& ray, const Vec3& a, const Vec3& b, const Vec3& c) {
+    return Method::hits(typename Method::Prepared(ray), a, b, c);
 }
 
-// One loop a method, so that the test is called as a ray tracer would call it: directly.
-template <bool (*hits)(const Ray&, const Vec3&, const Vec3&, const Vec3&)>
+template <typename Method>
 std::int64_t countHitsBy(const std::vector<Ray>& rays, const std::vector<Vec3>& corners) {
     std::int64_t count = 0;
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-        count += hits(rays[i], corners[3 * i], corners[3 * i + 1], corners[3 * i + 2]) ? 1 : 0;
+    for (const Ray& ray : rays) {
+        const typename Method::Prepared prepared(ray);
+        for (std::size_t i = 0; i < corners.size(); i += 3) {
+            count += Method::hits(prepared, corners[i], corners[i + 1], corners[i + 2]) ? 1 : 0;
+        }
     }
     return count;
 }
 
-template <bool (*hits)(const Ray&, const Vec3&, const Vec3&, const Vec3&)>
+template <typename Method>
 TriangleMethod methodOf(const std::string& name) {
-    return {name, hits, countHitsBy<hits>};
+    return {name, hitsBy<Method>, countHitsBy<Method>};
 }
 
 bool hitsAny(const TriangleMethod& method, const Ray& ray, const ClosedMesh& mesh, std::span<const int> triangles) {
@@ -91,16 +111,17 @@ bool vertexLeaks(const TriangleMethod& method, const ClosedMesh& mesh, Random& r
 }  // namespace
 
 std::vector<TriangleMethod> triangleMethods() {
-    return {methodOf<hitsByCramer>("Cramer's rule"), methodOf<hitsWatertight>("watertight"),
-            methodOf<hitsContracted>("watertight with fused products")};
+    return {methodOf<ByCramer>("Cramer's rule"), methodOf<Watertight>("watertight"),
+            methodOf<WatertightFused>("watertight with fused products")};
 }
 
-FailureCount countLeaks(const TriangleMethod& method, Aim aim, std::int64_t rays, std::uint64_t seed, int threads) {
+FailureCount countLeaks(const TriangleMethod& method, Aim aim, std::int64_t rays, std::uint64_t seed, int threads,
+                        std::optional<Real> away) {
     const std::int64_t meshes = (rays + raysPerMesh - 1) / raysPerMesh;
     std::vector<FailureCount> counts(static_cast<std::size_t>(meshes));
     parallelFor(meshes, threads, [&](std::int64_t i) {
         Random random(seed, {static_cast<std::uint64_t>(i)});
-        const ClosedMesh mesh = randomClosedMesh(random);
+        const ClosedMesh mesh = randomClosedMesh(random, away);
         FailureCount& count = counts[static_cast<std::size_t>(i)];
         count.trials = std::min(raysPerMesh, rays - i * raysPerMesh);
         for (std::int64_t ray = 0; ray < count.trials; ++ray) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,8 @@ struct TriangleMethod {
     std::string name;
     /// Whether the ray hits triangle abc.
     bool (*hits)(const Ray& ray, const Vec3& a, const Vec3& b, const Vec3& c);
-    /// Tests so many triangles, one ray for each; the number of hits. What a timing calls.
+    /// Tests every ray against every triangle (three corners each); the number of hits. What a timing calls: what a
+    /// method prepares for a ray, it prepares once for all triangles, as in a mesh.
     std::int64_t (*countHits)(const std::vector<Ray>& rays, const std::vector<Vec3>& corners);
 };
 
@@ -27,6 +29,8 @@ std::vector<TriangleMethod> triangleMethods();
 
 /// Rays from strictly inside random closed meshes, aimed at points of shared edges or at vertices, that hit no triangle
 /// at all. Meshes are new every 10,000 rays; the counts are the same for any number of threads.
-FailureCount countLeaks(const TriangleMethod& method, Aim aim, std::int64_t rays, std::uint64_t seed, int threads);
+/// @param away  how far from the coordinates' origin the meshes are, in their sizes; 0.01 to 100 at random by default
+FailureCount countLeaks(const TriangleMethod& method, Aim aim, std::int64_t rays, std::uint64_t seed, int threads,
+                        std::optional<Real> away = std::nullopt);
 
 }  // namespace caustic
