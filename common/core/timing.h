@@ -18,7 +18,8 @@ struct TimingPlan {
     double secondsPerBatch = 2e-3;  ///< a piece is called until this has passed, so that the clock's grain is nothing
 };
 
-/// Nanoseconds per call of each piece of work: the median of `plan.rounds` batches.
+/// Nanoseconds per call of each piece of work, in this thread's own computing time: the median of `plan.rounds`
+/// batches. A piece that starts threads or waits shows less than what a clock on the wall does.
 ///
 /// The pieces take turns, a batch each round, so that a machine that slows down slows all of them. A piece must use
 /// its result (keep()), and do the same at each call.
