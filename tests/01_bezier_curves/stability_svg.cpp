@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "core/error.h"
+#include "core/random.h"
 #include "core/text.h"
 #include "curve/profile_limits.h"
 #include "curve/svg_document.h"
@@ -155,6 +156,46 @@ TEST(MuchMarkup, IsRefusedBeforeItTakesMemory) {
     std::string text = "<svg>";
     for (int i = 0; i < 1000000; ++i) text += "<g/>";
     EXPECT_EQ(messageOf(text + "</svg>"), "bad.svg: has more markup than a drawing needs (got '1000002 tags')");
+}
+
+// What the reader may do with a file of chance: read it or refuse it, with its name.
+void expectReadOrRefused(const std::string& text) {
+    const std::string message = messageOf(text);
+    EXPECT_TRUE(message == "no error" || message.starts_with("bad.svg")) << message << "\n" << text;
+}
+
+const std::string everything =
+    "<?xml version='1.0'?><!DOCTYPE svg><s:svg xmlns:s='http://www.w3.org/2000/svg' viewBox='0 0 9 9'><!-- a -->"
+    "<s:g transform='rotate(30 1 2)scale(.5-2)' style='fill:none;x:y'><s:path id='&lt;&#65;' d='M1 2h3v4H5V6l7 8 9 "
+    "1L2 3c4 5 6 7 8 9s1 2 3 4q5 6 7 8t9 1a2 3 45 0110 11A1 1 0 1 0 1e-2.5.5z m1,1 2,2Z'/></s:g><![CDATA[x]]></s:svg>";
+
+TEST(FilesOfChance, CutAnywhereAreReadOrRefused) {
+    ASSERT_EQ(messageOf(everything), "no error");
+    for (std::size_t length = 0; length < everything.size(); ++length) {
+        expectReadOrRefused(everything.substr(0, length));
+    }
+}
+
+TEST(FilesOfChance, WithBytesChangedAreReadOrRefused) {
+    const std::string alphabet = "MmZzLlHhVvCcSsQqTtAaEe0123456789.,-+ \t\n<>&;#'\"/=!?[]()\xFF\x80";
+    for (std::uint64_t i = 0; i < 20000; ++i) {
+        Random random(20260104, {i});
+        std::string text = everything;
+        for (std::uint64_t change = 0; change <= i % 4; ++change) {
+            const std::size_t place = random.below(text.size());
+            switch (random.below(3)) {
+                case 0:
+                    text[place] = alphabet[random.below(alphabet.size())];
+                    break;
+                case 1:
+                    text.erase(place, 1 + random.below(8));
+                    break;
+                default:
+                    text.insert(place, text.substr(random.below(text.size()), random.below(16)));
+            }
+        }
+        expectReadOrRefused(text);
+    }
 }
 
 // Every path that GNOME's designers drew for the icons of Debian's package adwaita-icon-theme.
