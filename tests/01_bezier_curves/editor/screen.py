@@ -22,6 +22,14 @@ def run(*command, **options):
     return subprocess.run([str(word) for word in command], check=True, capture_output=True, timeout=PATIENCE, **options)
 
 
+def asked(*command):
+    """What a program answers; nothing when it fails, or hangs, as xdotool may while windows come and go."""
+    try:
+        return subprocess.run(command, capture_output=True, text=True, check=False, timeout=10).stdout
+    except subprocess.TimeoutExpired:
+        return ""
+
+
 def wait_for(what, condition, patience=PATIENCE):
     """Polls until the condition returns something true, and returns that."""
     end = time.monotonic() + patience
@@ -55,7 +63,9 @@ class EditorWindow:
         runtime.mkdir(mode=0o700, exist_ok=True)
         environment = {**os.environ, "XDG_RUNTIME_DIR": str(runtime)}
         command = [str(program), *map(str, arguments), "--report", str(self.report_path)]
-        self.process = subprocess.Popen(command, cwd=folder, env=environment, stderr=subprocess.PIPE, text=True)
+        self.complaints = folder / "stderr.log"  # a file: nobody has to read it for the editor to go on
+        with self.complaints.open("w") as complaints:
+            self.process = subprocess.Popen(command, cwd=folder, env=environment, stdin=subprocess.DEVNULL, stderr=complaints)
         self.window = None
 
     def __enter__(self):
@@ -66,17 +76,20 @@ class EditorWindow:
     def __exit__(self, *_):
         if self.process.poll() is None:
             self.process.kill()
-        self.process.communicate()
+        self.process.wait(timeout=PATIENCE)
 
     def find_window(self):
         """Finds the window (a new one, perhaps) and gives it the keyboard: this screen has no window manager to do so."""
         def newest():
-            found = subprocess.run(["xdotool", "search", "--onlyvisible", "--name", "^Bezier editor$"], capture_output=True,
-                                   text=True, check=False).stdout.split()
+            found = asked("xdotool", "search", "--onlyvisible", "--name", "^Bezier editor$").split()
             fresh = [window for window in found if window != self.window]
             return fresh[-1] if fresh else None
+
+        def focused():
+            asked("xdotool", "windowfocus", self.window)
+            return asked("xdotool", "getwindowfocus").strip() == self.window
         self.window = wait_for("the window", newest)
-        run("xdotool", "windowfocus", "--sync", self.window)
+        wait_for("the keyboard", focused)
 
     # What it shows
 
@@ -92,7 +105,7 @@ class EditorWindow:
         def check():
             if self.process.poll() is not None:
                 raise Gone(f"the editor ended with {self.process.returncode} instead of {what}: "
-                           f"{self.process.stderr.read()}")
+                           f"{self.complaints.read_text()}")
             report = self.report()
             return report if report and condition(report) else None
         return wait_for(what, check, patience)
