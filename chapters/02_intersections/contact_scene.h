@@ -130,8 +130,10 @@ ContactFailures contactFailures(double scale, const Offset<Scalar>& offset, int 
         const auto below =
             fromBall ? scene.ballPoint(scene.touch() + nearby) : scene.floorPoint(scene.touch() + nearby);
         const Vector begin = offset.apply(below);
-        const bool beyond = fromBall ? scene.normal().dot(begin - scene.touch()) < 0
-                                     : (begin - scene.center()).squaredNorm() < size * size;
+        // Within the ball, or jumped right over it.
+        const bool pastBall =
+            (begin - scene.center()).squaredNorm() < size * size || scene.normal().dot(begin - scene.center()) > 0;
+        const bool beyond = fromBall ? scene.normal().dot(begin - scene.touch()) < 0 : pastBall;
         if (beyond) ++count.lostContacts.failures;
     }
     return count;

@@ -39,6 +39,15 @@ void addLeaks(CsvTable& table, FigureContext& context) {
     }
 }
 
+void addSlivers(CsvTable& table, FigureContext& context) {
+    const int rays = context.byQuality(20'000, 200'000);
+    for (const TriangleMethod& method : triangleMethods()) {
+        addRow(table, method.name, "sliver 2 long, 1e-4 wide: self-hits",
+               countSliverSelfHits(method, 1e-4, rays, context.seed()));
+    }
+    context.progress().advance();
+}
+
 void addSlabs(CsvTable& table, FigureContext& context) {
     const std::vector<SlabCase> cases = slabCases(20, context.seed());
     for (const char* const place : {"outside", "inside", "a face", "an edge", "a corner"}) {
@@ -140,9 +149,10 @@ FailureCount countWrongNormals(bool likeDirections, std::uint64_t seed) {
 }  // namespace
 
 void chartFailures(FigureContext& context) {
-    context.progress().expect(15);
+    context.progress().expect(18);
     CsvTable table({"method", "case", "failures", "trials"});
     addLeaks(table, context);
+    addSlivers(table, context);
     addSlabs(table, context);
     addSpheres(table, context);
     addContactScenes<float>(table, "fixed 1e-4 (float)", {1e-4F, 0}, context);

@@ -23,8 +23,8 @@ struct TriangleMethod {
     std::int64_t (*countHits)(const std::vector<Ray>& rays, const std::vector<Vec3>& corners);
 };
 
-/// Cramer's rule; the watertight test; the watertight test as a compiler makes it that contracts a·b − c·d to a fused
-/// multiply-add.
+/// Cramer's rule; the watertight test; the same as its authors print it, without exact signs; and that as a compiler
+/// makes it that contracts a·b − c·d to a fused multiply-add.
 std::vector<TriangleMethod> triangleMethods();
 
 /// Rays from strictly inside random closed meshes, aimed at points of shared edges or at vertices, that hit no triangle
@@ -32,5 +32,8 @@ std::vector<TriangleMethod> triangleMethods();
 /// @param away  how far from the coordinates' origin the meshes are, in their sizes; 0.01 to 100 at random by default
 FailureCount countLeaks(const TriangleMethod& method, Aim aim, std::int64_t rays, std::uint64_t seed, int threads,
                         std::optional<Real> away = std::nullopt);
+
+/// Rays that leave a sliver by the course's rule and meet it at once. Slivers are 2 long and `width` wide.
+FailureCount countSliverSelfHits(const TriangleMethod& method, Real width, std::int64_t rays, std::uint64_t seed);
 
 }  // namespace caustic

@@ -16,15 +16,6 @@ namespace caustic {
 
 namespace {
 
-// A direction to one side of n; the angle to the tangent plane is small more often than not, down to 1e-8.
-Vec3 directionBeside(const Vec3& n, bool outwards, Random& random) {
-    const Frame frame = Frame::around(outwards ? n : Vec3(-n));
-    const Real angle = 2 * std::numbers::pi * random.uniform();
-    const Real cosine = random.below(2) == 0 ? random.uniform(1e-8, 1) : std::pow(10, random.uniform(-8, 0));
-    const Real sine = std::sqrt(1 - cosine * cosine);
-    return frame.toWorld({sine * std::cos(angle), sine * std::sin(angle), cosine});
-}
-
 bool isWrong(const std::optional<Hit>& next, const Vec3& direction, bool outwards, bool closed, bool convex) {
     if (outwards || !closed) return next && (convex || !closed || next->ng.dot(direction) > 0);
     return !next || next->ng.dot(direction) < 0;
@@ -119,6 +110,14 @@ FailureCount countLostFarSides(const Transform& place, Real thickness, const Lea
         if (!found) ++count.failures;
     }
     return count;
+}
+
+Vec3 directionBeside(const Vec3& n, bool outwards, Random& random) {
+    const Frame frame = Frame::around(outwards ? n : Vec3(-n));
+    const Real angle = 2 * std::numbers::pi * random.uniform();
+    const Real cosine = random.below(2) == 0 ? random.uniform(1e-8, 1) : std::pow(10, random.uniform(-8, 0));
+    const Real sine = std::sqrt(1 - cosine * cosine);
+    return frame.toWorld({sine * std::cos(angle), sine * std::sin(angle), cosine});
 }
 
 Vec3 randomDirection(Random& random) {

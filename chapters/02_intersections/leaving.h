@@ -48,6 +48,10 @@ FailureCount countLostContacts(const Transform& place, Real gap, const LeavingRu
 FailureCount countLostFarSides(const Transform& place, Real thickness, const LeavingRule& rule, std::int64_t rays,
                                std::uint64_t seed);
 
+/// A unit vector to one side of the plane with unit normal n; the angle to the plane is small more often than not, down
+/// to 1e-8.
+Vec3 directionBeside(const Vec3& n, bool outwards, Random& random);
+
 /// A unit vector, all directions alike.
 Vec3 randomDirection(Random& random);
 

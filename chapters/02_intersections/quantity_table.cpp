@@ -2,13 +2,16 @@
 #include <functional>
 #include <limits>
 #include <string>
+#include <utility>
 
+#include "contact_scene.h"
 #include "core/csv_table.h"
 #include "core/progress.h"
 #include "figures.h"
 #include "leaving.h"
 #include "math/spawn.h"
 #include "shape_catalogue.h"
+#include "sphere_accuracy.h"
 
 namespace caustic {
 
@@ -48,12 +51,8 @@ double fewestEpsilons(std::size_t entry, std::int64_t rays, std::uint64_t seed) 
     return epsilons;
 }
 
-}  // namespace
-
-void tabulateQuantities(FigureContext& context) {
+void addFewestEpsilons(CsvTable& table, FigureContext& context) {
     const std::vector<CatalogueShape> catalogue = shapeCatalogue();
-    context.progress().expect(static_cast<std::int64_t>(catalogue.size()));
-    CsvTable table({"method", "case", "value", "unit", "reference"});
     constexpr double ours = surfaceOffset / std::numeric_limits<Real>::epsilon();
     for (std::size_t i = 0; i < catalogue.size(); ++i) {
         context.progress().advance();
@@ -62,6 +61,83 @@ void tabulateQuantities(FigureContext& context) {
         table.addRow("relative", "smallest offset without self-hits: " + catalogue[i].name, fewest,
                      "machine epsilons of the magnitude", "the rule takes " + std::to_string(std::lround(ours)));
     }
+}
+
+// The last of start, start · factor, start · factor², ... before the first that doesn't work.
+double lastThatWorks(double start, double factor, const std::function<bool(double)>& works) {
+    double last = start;
+    while (works(last * factor)) last *= factor;
+    return last;
+}
+
+// How small and how large a scene may be for a fixed distance, and how small and how large the distance for a scene of
+// size 1; all to a quarter of a decade.
+template <typename Scalar>
+void addFixedDistances(CsvTable& table, const std::string& precision, FigureContext& context) {
+    const int rays = context.byQuality(1'000, 10'000);
+    const double step = std::pow(10, 0.25);
+    const std::string reference = "a gap of 1/2000 is kept, and no self-hit in " + std::to_string(rays) + " rays";
+    const auto works = [&](double size, double distance) {
+        const ContactFailures count =
+            contactFailures<Scalar>(size, {static_cast<Scalar>(distance), 0}, rays, context.seed());
+        return count.selfHits.failures + count.lostContacts.failures == 0;
+    };
+    for (const auto& [end, factor] : {std::pair("smallest", 1 / step), std::pair("largest", step)}) {
+        const double size = lastThatWorks(1, factor, [&](double s) { return works(s, 1e-4); });
+        table.addRow("fixed 1e-4, " + precision, std::string("ball over a floor: ") + end + " size that works", size,
+                     "radius of the ball", reference);
+    }
+    for (const auto& [end, factor] : {std::pair("smallest", 1 / step), std::pair("largest", step)}) {
+        const double distance = lastThatWorks(1e-4, factor, [&](double d) { return works(1, d); });
+        table.addRow("fixed, " + precision, std::string("ball over a floor: ") + end + " distance that works at size 1",
+                     distance, "radii of the ball", reference);
+    }
+    context.progress().advance();
+}
+
+void addSmallestGap(CsvTable& table, FigureContext& context) {
+    const int rays = context.byQuality(1'000, 20'000);
+    const Transform place = Transform::translation(Vec3(0.3, -0.7, 0.5));
+    const double gap = lastThatWorks(1.0 / 2000, 0.5, [&](double smaller) {
+        return countLostContacts(place, smaller, relativeRule(), rays, context.seed()).failures == 0;
+    });
+    table.addRow("relative", "every shape: smallest gap that is kept", gap, "sizes of the shapes",
+                 "found by halving 1/2000; the rule's offset is " + formatReal(surfaceOffset));
+    context.progress().advance();
+}
+
+// How many digits of t a decade of distance costs: slope of log error over log distance, least squares.
+template <typename Scalar>
+void addDigitsLost(CsvTable& table, const std::string& precision, int lastExponent, FigureContext& context) {
+    const std::size_t count = context.byQuality(1000U, 10'000U);
+    const double middle = (1 + lastExponent) / 2.0;
+    for (const auto& method : sphereMethods<Scalar>()) {
+        double products = 0;
+        double squares = 0;
+        for (int exponent = 1; exponent <= lastExponent; ++exponent) {
+            const auto cases = sphereCases<Scalar>(std::pow(10, exponent), count, context.seed());
+            const double digits = std::log10(sphereError(method, cases, context.threads()));
+            products += (exponent - middle) * digits;
+            squares += (exponent - middle) * (exponent - middle);
+        }
+        table.addRow(method.name + ", " + precision, "sphere 10 to 1e" + std::to_string(lastExponent) + " radii away",
+                     products / squares, "digits of t lost per decade of distance", "113-bit");
+    }
+    context.progress().advance();
+}
+
+}  // namespace
+
+void tabulateQuantities(FigureContext& context) {
+    context.progress().expect(static_cast<std::int64_t>(shapeCatalogue().size()) + 5);
+    CsvTable table({"method", "case", "value", "unit", "reference"});
+    // In float the fragile methods lose every hit from 10⁴ radii on: no slope there.
+    addDigitsLost<float>(table, "float", 3, context);
+    addDigitsLost<double>(table, "double", 7, context);
+    addFixedDistances<float>(table, "float", context);
+    addFixedDistances<double>(table, "double", context);
+    addSmallestGap(table, context);
+    addFewestEpsilons(table, context);
     table.save(context.output("quantity.csv"));
 }
 

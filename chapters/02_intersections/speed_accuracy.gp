@@ -2,7 +2,6 @@
 set terminal pngcairo size 1700,900
 file = folder."/speed_accuracy.csv"
 array methods[4] = ["textbook quadratic", "projection by Pythagoras", "projection", "stable quadratic"]
-distance(setting) = real(setting[strstrt(setting, "=") + 1:strstrt(setting, ";") - 1])
 is(method, scalar) = strcol(1) eq method && strstrt(strcol(2), "scalar=".scalar)
 
 set multiplot layout 1,2 title "A ray and a sphere, four ways: speed and accuracy\n{/*0.75 root mean square of the relative error in t against a 113-bit reference, a lost hit counting as 1; sphere 1 to 10^{7} radii away}" font ",20"
@@ -18,8 +17,8 @@ unset logscale x
 set xrange [0:*]
 set xlabel "time, ns per test"
 set key at graph 0.02,0.45 left top Left reverse
-plot for [i=1:4] file every ::1 using (is(methods[i], "double") ? $3 : NaN):5 with points lt i ps 1.6 title methods[i], \
-     for [i=1:4] file every ::1 using (is(methods[i], "float") ? $3 : NaN):5 with points lt i pt (i == 1 ? 6 : i == 2 ? 4 : i == 3 ? 8 : 10) ps 1.4 title methods[i].", float"
+plot for [i=1:4] file using (is(methods[i], "double") ? $3 : NaN):5 with points lt i ps 1.6 title methods[i], \
+     for [i=1:4] file using (is(methods[i], "float") ? $3 : NaN):5 with points lt i pt (i == 1 ? 6 : i == 2 ? 4 : i == 3 ? 8 : 10) ps 1.4 title methods[i].", float"
 
 set title "by distance" font ",17"
 set logscale x
@@ -28,6 +27,6 @@ set xtics ("1" 1, "10" 10, "10^{2}" 1e2, "10^{3}" 1e3, "10^{4}" 1e4, "10^{5}" 1e
 set xlabel "distance from origin to sphere, radii"
 unset ylabel
 unset key
-plot for [i=1:4] file every ::1 using (is(methods[i], "double") ? distance(strcol(2)) : NaN):5 with linespoints lt i lw 2.5 ps 1.6 title methods[i], \
-     for [i=1:4] file every ::1 using (is(methods[i], "float") ? distance(strcol(2)) : NaN):5 with linespoints lt i lw 1.2 dt 2 pt (i == 1 ? 6 : i == 2 ? 4 : i == 3 ? 8 : 10) ps 1.4 title methods[i].", float"
+plot for [i=1:4] file using (is(methods[i], "double") ? setting_number(strcol(2), "distance") : NaN):5 with linespoints lt i lw 2.5 ps 1.6 title methods[i], \
+     for [i=1:4] file using (is(methods[i], "float") ? setting_number(strcol(2), "distance") : NaN):5 with linespoints lt i lw 1.2 dt 2 pt (i == 1 ? 6 : i == 2 ? 4 : i == 3 ? 8 : 10) ps 1.4 title methods[i].", float"
 unset multiplot

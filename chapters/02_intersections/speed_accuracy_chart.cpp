@@ -1,21 +1,13 @@
-#include <array>
 #include <cmath>
 #include <functional>
-#include <numbers>
 #include <string>
 #include <vector>
 
 #include "core/csv_table.h"
-#include "core/parallel.h"
 #include "core/progress.h"
-#include "core/text.h"
 #include "core/timing.h"
 #include "figures.h"
-#include "leaving.h"
-#include "math/frame.h"
-#include "reference_113bit.h"
-#include "shape/ball.h"
-#include "sphere_methods.h"
+#include "sphere_accuracy.h"
 
 namespace caustic {
 
@@ -24,63 +16,6 @@ namespace {
 constexpr int smallestExponent = 0;
 constexpr int largestExponent = 7;
 constexpr std::size_t raysPerBatch = 1024;
-
-template <typename Scalar>
-struct SphereMethod {
-    std::string name;
-    BasicInterval<Scalar> (*interval)(const VectorOf<Scalar>&, const VectorOf<Scalar>&, Scalar);
-};
-
-template <typename Scalar>
-std::vector<SphereMethod<Scalar>> sphereMethods() {
-    return {{"textbook quadratic", textbookQuadratic<Scalar>},
-            {"projection by Pythagoras", pythagorasProjection<Scalar>},
-            {"projection", ballInterval<Scalar, 3>},
-            {"stable quadratic", stableQuadratic<Scalar>}};
-}
-
-// A ray as seen from its origin, and the sphere of radius 1 that it is aimed at.
-template <typename Scalar>
-struct SphereCase {
-    VectorOf<Scalar> toCenter;
-    VectorOf<Scalar> direction;
-};
-
-// Aimed at a point of the disc of 0.9 radii that faces the ray's origin, `distance` radii from the surface.
-template <typename Scalar>
-std::vector<SphereCase<Scalar>> sphereCases(double distance, std::size_t count, std::uint64_t seed) {
-    std::vector<SphereCase<Scalar>> cases;
-    for (std::size_t i = 0; i < count; ++i) {
-        Random random(seed, {static_cast<std::uint64_t>(distance), i});
-        const Frame frame = Frame::around(randomDirection(random));
-        const double aside = 0.9 * std::sqrt(random.uniform());
-        const double angle = 2 * std::numbers::pi * random.uniform();
-        const Vec3 toCenter = (distance + 1) * frame.n;
-        const Vec3 target = toCenter + aside * (std::cos(angle) * frame.s + std::sin(angle) * frame.t);
-        cases.push_back({toCenter.cast<Scalar>(), target.normalized().cast<Scalar>()});
-    }
-    return cases;
-}
-
-// Root mean square of the relative error in the nearer t; a hit that is lost counts as 1. In fixed order.
-template <typename Scalar>
-double errorOf(const SphereMethod<Scalar>& method, double distance, FigureContext& context) {
-    const auto cases = sphereCases<Scalar>(distance, context.byQuality(1000, 10'000), context.seed());
-    std::vector<double> squares(cases.size());
-    parallelFor(static_cast<std::int64_t>(cases.size()), context.threads(), [&](std::int64_t i) {
-        const auto& [toCenter, direction] = cases[static_cast<std::size_t>(i)];
-        const auto found = method.interval(toCenter, direction, Scalar(1));
-        double& square = squares[static_cast<std::size_t>(i)];
-        square = 1;
-        if (found.empty()) return;
-        const Real113 truth = nearerRoot113<Scalar>(toCenter, direction, Scalar(1));
-        const double relative = static_cast<double>((Real113(found.lower) - truth) / truth);
-        square = relative * relative;
-    });
-    double sum = 0;
-    for (const double square : squares) sum += square;
-    return std::sqrt(sum / static_cast<double>(squares.size()));
-}
 
 template <typename Scalar>
 std::function<void()> batchOf(const SphereMethod<Scalar>& method, double distance, std::uint64_t seed) {
@@ -103,12 +38,14 @@ struct Plan {
 
 template <typename Scalar>
 void addMethods(Plan& plan, const std::string& scalar, FigureContext& context) {
+    const std::size_t count = context.byQuality(1000U, 10'000U);
     for (const auto& method : sphereMethods<Scalar>()) {
         for (int exponent = smallestExponent; exponent <= largestExponent; ++exponent) {
             const double distance = std::pow(10, exponent);
             plan.methods.push_back(method.name);
             plan.settings.push_back("distance=" + std::to_string(std::lround(distance)) + ";scalar=" + scalar);
-            plan.errors.push_back(errorOf(method, distance, context));
+            const auto cases = sphereCases<Scalar>(distance, count, context.seed());
+            plan.errors.push_back(sphereError(method, cases, context.threads()));
             plan.pieces.push_back(batchOf(method, distance, context.seed()));
             context.progress().advance();
         }

@@ -1,7 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+#include <sstream>
+
 #include "closed_mesh.h"
+#include "core/error.h"
 #include "leaks.h"
+#include "print_leaks.h"
 #include "shape/cramer.h"
 #include "shape/triangle.h"
 #include "shape/watertight.h"
@@ -38,6 +43,35 @@ TEST(Watertight, CountsDoNotDependOnThreads) {
     const TriangleMethod cramer = methodNamed("Cramer's rule");
     EXPECT_EQ(countLeaks(cramer, Aim::Edges, 50'000, 3, 1).failures,
               countLeaks(cramer, Aim::Edges, 50'000, 3, 3).failures);
+}
+
+// Why the sign of t is taken from the exact volume where rounding could have changed it.
+TEST(Watertight, SliversAreNotHitWhereTheyWereLeft) {
+    for (const Real width : {1e-2, 1e-4, 1e-6, 1e-8}) {
+        EXPECT_EQ(countSliverSelfHits(methodNamed("watertight"), width, 50'000, 7).failures, 0) << width;
+    }
+    for (const char* const fragile : {"Cramer's rule", "watertight as published"}) {
+        EXPECT_GT(countSliverSelfHits(methodNamed(fragile), 1e-4, 50'000, 7).failures, 50) << fragile;
+    }
+}
+
+TEST(PrintLeaks, TellsEveryMethodAndAim) {
+    std::ostringstream out;
+    printLeaks("20000", 8, 2, out);
+    const auto list = nlohmann::json::parse(out.str());
+    ASSERT_EQ(list.size(), 2 * triangleMethods().size());
+    EXPECT_EQ(list[1]["method"], "Cramer's rule");
+    EXPECT_EQ(list[1]["aim"], "vertices");
+    EXPECT_EQ(list[1]["rays"], 20000);
+    EXPECT_EQ(list[1]["leaks"], countLeaks(methodNamed("Cramer's rule"), Aim::Vertices, 20000, 8, 2).failures);
+}
+
+TEST(PrintLeaks, RefusesWhatIsNoNumberOfRays) {
+    for (const char* const bad : {"", "0", "-5", "1e6", "many", "1000000001", "99999999999999999999"}) {
+        std::ostringstream out;
+        EXPECT_THROW(printLeaks(bad, 1, 1, out), InputError) << bad;
+        EXPECT_EQ(out.str(), "");
+    }
 }
 
 // Each edge of the generator's meshes is shared by exactly two triangles, which run along it in opposite directions,

@@ -1,5 +1,6 @@
 """Runs a side-by-side benchmark, tests/benchmarks/NAME/run.py; without a name it lists them."""
 
+import argparse
 import ast
 import os
 import sys
@@ -15,7 +16,7 @@ HELP = "side-by-side benchmarks"
 
 def add_arguments(parser):
     parser.add_argument("name", nargs="?", help="which; without it, the list")
-    parser.add_argument("options", nargs="*", help="what the benchmark itself takes")
+    parser.add_argument("options", nargs=argparse.REMAINDER, help="what the benchmark itself takes; --help tells")
 
 
 def benchmarks(root=ROOT):
