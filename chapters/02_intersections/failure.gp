@@ -26,7 +26,7 @@ set grid xtics ytics
 set lmargin 48
 set arrow 1 from 1.5e-7, graph 0 to 1.5e-7, graph 1 nohead lc rgb "#bbbbbb" dt 2
 plot file using (isFragile(strcol(1)) ? NaN : $3 > 0 ? $3 / $4 : none / 1.6):(row(strcol(2))):ytic(2) \
-         with points pt 7 ps 1.9 lc rgb "#0072b2" title "the course's methods", \
+         with points pt 7 ps 1.9 lc rgb "#0072b2" title "robust methods, the course's", \
      for [i=1:10] file using (strcol(1) eq fragile[i] && $3 > 0 ? $3 / $4 : NaN):(row(strcol(2)) + jitter(i)) \
          with points pt mark[i] ps 1.7 lc rgb colour[i] title fragile[i], \
      for [i=1:10] file using (strcol(1) eq fragile[i] && $3 == 0 ? none * 1.8 : NaN):(row(strcol(2)) + jitter(i)) \

@@ -58,7 +58,7 @@ void addSlabs(CsvTable& table, FigureContext& context) {
             naive += {meetsNaively(one.box, one.ray) != one.meets ? 1 : 0, 1};
             ours += {slabInterval(one.box, one.ray).empty() == one.meets ? 1 : 0, 1};
         }
-        const std::string name = std::string("box: axis-parallel rays from ") + place;
+        const std::string name = std::string("box: direction of 0s and 1s, from ") + place;
         addRow(table, "naive slabs", name, naive);
         addRow(table, "slabs", name, ours);
     }

@@ -16,7 +16,7 @@ blended(a, b) = int(255 - a * 42 - b * 255 * (1 - a)) * 65536 + int(255 - a * 16
     + int(255 - a * 255 - b * 77 * (1 - a))
 mixed(selfHits, lost, trials) = blended(strength(selfHits, trials), strength(lost, trials))
 stats file using 3 every ::0::1 nooutput
-half = 0.51 * (STATS_max - STATS_min)
+half = 0.56 * (STATS_max - STATS_min)
 do for [precision in "float double"] {
     set title precision font ",18"
     set ylabel precision eq "float" ? "distance from the surface" : ""

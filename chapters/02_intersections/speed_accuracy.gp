@@ -16,9 +16,11 @@ set title "by time" font ",17"
 unset logscale x
 set xrange [0:*]
 set xlabel "time, ns per test"
-set key at graph 0.02,0.45 left top Left reverse
-plot for [i=1:4] file using (is(methods[i], "double") ? $3 : NaN):5 with points lt i ps 1.6 title methods[i], \
-     for [i=1:4] file using (is(methods[i], "float") ? $3 : NaN):5 with points lt i pt (i == 1 ? 6 : i == 2 ? 4 : i == 3 ? 8 : 10) ps 1.4 title methods[i].", float"
+unset key
+set lmargin at screen 0.075
+set rmargin at screen 0.385
+plot for [i=1:4] file using (is(methods[i], "double") ? $3 : NaN):5 with points lt i ps 1.6 notitle, \
+     for [i=1:4] file using (is(methods[i], "float") ? $3 : NaN):5 with points lt i pt (i == 1 ? 6 : i == 2 ? 4 : i == 3 ? 8 : 10) ps 1.4 notitle
 
 set title "by distance" font ",17"
 set logscale x
@@ -26,7 +28,9 @@ set xrange [0.7:2e7]
 set xtics ("1" 1, "10" 10, "10^{2}" 1e2, "10^{3}" 1e3, "10^{4}" 1e4, "10^{5}" 1e5, "10^{6}" 1e6, "10^{7}" 1e7)
 set xlabel "distance from origin to sphere, radii"
 unset ylabel
-unset key
+set lmargin at screen 0.44
+set rmargin at screen 0.75
+set key at screen 0.765, screen 0.84 left top Left reverse samplen 2
 plot for [i=1:4] file using (is(methods[i], "double") ? setting_number(strcol(2), "distance") : NaN):5 with linespoints lt i lw 2.5 ps 1.6 title methods[i], \
      for [i=1:4] file using (is(methods[i], "float") ? setting_number(strcol(2), "distance") : NaN):5 with linespoints lt i lw 1.2 dt 2 pt (i == 1 ? 6 : i == 2 ? 4 : i == 3 ? 8 : 10) ps 1.4 title methods[i].", float"
 unset multiplot

@@ -14,7 +14,7 @@
 #include "shape/ring_cylinder.h"
 #include "shape/sphere.h"
 #include "shape/triangle.h"
-#include "sphere_methods.h"
+#include "sphere_accuracy.h"
 
 namespace caustic {
 namespace {
@@ -160,6 +160,23 @@ TEST(SphereStability, FarSpheresKeepTheirDigits) {
             ++pythagorasWrong;
     }
     EXPECT_GT(pythagorasWrong, 500);
+}
+
+// What the chart's rays are, they are as rounded numbers: a ray that rounding moved past the sphere has no t to
+// compare.
+template <typename Scalar>
+void expectTrueHits(double distance) {
+    for (const auto& [toCenter, direction] : sphereCases<Scalar>(distance, 200, 3)) {
+        const Real113 t = nearerRoot113<Scalar>(toCenter, direction, Scalar(1));
+        EXPECT_NEAR(static_cast<double>(t), distance, 1 + 1e-6 * distance) << "NaN for a miss";
+    }
+}
+
+TEST(SphereStability, ChartedRaysHitAtEveryDistance) {
+    for (int exponent = 0; exponent <= 7; ++exponent) {
+        expectTrueHits<float>(std::pow(10, exponent));
+        expectTrueHits<double>(std::pow(10, exponent));
+    }
 }
 
 }  // namespace
