@@ -57,8 +57,8 @@ def counts(batches_wanted):
     batches = counted_before(notes, executable)[:batches_wanted]
     before = len(batches)
     if before:
-        say(f"  {before * BATCH} rays were counted before, in {shown(notes)}")
-    with Step(f"aim {batches_wanted * BATCH} rays at edges, and at vertices") as step:
+        say(f"  {before * BATCH:,} rays were counted before, in {shown(notes)}")
+    with Step(f"aim {batches_wanted * BATCH:,} rays at edges, and at vertices") as step:
         while len(batches) < batches_wanted:
             command = [program(CHAPTER), "--leaks", BATCH, "--seed", len(batches) + 1, "--threads", cores()]
             batches.append(json.loads(output_of(command)))
@@ -89,7 +89,7 @@ def main():
     rows = "".join(",".join(map(str, line)) + "\n" for line in lines)
     replace(file, rows)
     for (method, aim), (leaks, rays) in sums.items():
-        say(f"  {method:<32} {aim:<9} {leaks:>11} of {rays} leak")
+        say(f"  {method:<32} {aim:<9} {leaks:>11,} of {rays:,} leak")
     say(f"  the table is {shown(file)}")
     return 1 if any(leaks for (method, _), (leaks, _) in sums.items() if method == ROBUST) else 0
 
