@@ -1,0 +1,27 @@
+#include <iostream>
+
+#include "chapter_inputs.h"
+#include "core/chapter.h"
+#include "figures.h"
+#include "inspect.h"
+
+int main(int argc, char** argv) {
+    using namespace caustic;
+    return runChapter(thisChapter, argc, argv,
+                      {
+                          {"bunnies", drawBunnies},
+                          {"splits", drawSplits},
+                          {"heat_map", drawHeatMap},
+                          {"speed_accuracy", chartSpeedAccuracy, true},
+                          {"speed", chartSpeed, true},
+                          {"scaling", chartScaling},
+                          {"failure", chartFailures},
+                      },
+                      {
+                          {"--inspect", "FILE",
+                           "Print what a mesh is (counts, bounds, closed or not, its tree, rays a second) as JSON",
+                           [](const std::string& file, const ChapterOptions& options) {
+                               inspectMesh(file, options.seed, std::cout);
+                           }},
+                      });
+}

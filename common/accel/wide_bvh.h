@@ -1,0 +1,138 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <vector>
+
+#include "accel/float8.h"
+#include "accel/tree_ray.h"
+
+namespace caustic {
+
+/// Axis-aligned box in float, as the builder sorts it: a corner is one vector. The fourth lane of `lower` carries the
+/// number of the item that is inside, the fourth of `upper` is zero.
+struct BuildBox {
+    using Row = float __attribute__((vector_size(16)));
+    Row lower;
+    Row upper;
+};
+
+/// Bounding volume hierarchy with eight children a node, tested at once: the modern rival of the KD-tree. It sorts
+/// items instead of cutting space, so each item is in one leaf; in return the boxes of neighbours overlap.
+///
+/// Built by the surface area heuristic over 16 bins (Wald 2007): a node's widest child is split until there are eight
+/// (Wald, Benthin, Boulos 2008). A leaf is one block of at most eight items. All coordinates are in [-1, 1] (see
+/// TreeRay).
+class WideBvh {
+public:
+    static constexpr std::uint32_t width = 8;             ///< children of a node, items of a block
+    static constexpr std::uint32_t noItem = 0xffffffffU;  ///< in place of an item where a block has less than eight
+
+    /// @param boxes  one for each item; at least one
+    explicit WideBvh(std::vector<BuildBox> boxes);
+
+    /// The items of all blocks, eight for each.
+    const std::vector<std::uint32_t>& blockItems() const { return blockItems_; }
+
+    /// Calls visit(block) for the blocks that the ray may meet, near ones first. `visit` shortens ray.tMax when it
+    /// finds a hit, and returns whether to stop.
+    /// @param onNode  called for every node that is visited, blocks not included
+    template <typename Visit, typename OnNode>
+    void traverse(TreeRay& ray, const Visit& visit, const OnNode& onNode) const;
+
+    /// Bytes that the nodes take.
+    std::size_t memory() const { return nodes_.size() * sizeof(Node); }
+    /// Levels, and nodes that aren't blocks.
+    int depth() const { return depth_; }
+    std::size_t nodeCount() const { return nodes_.size(); }
+
+private:
+    friend class WideBvhBuilder;
+
+    struct alignas(64) Node {
+        Float8 rows[6];              // lower x y z, upper x y z of the children
+        std::uint32_t child[width];  // a node, or leafBit and a block
+    };
+    static constexpr std::uint32_t leafBit = 0x80000000U;
+    // Seven may wait at each level. The builder halves below level 24, which ends 10 levels later: 2³⁰ items.
+    static constexpr int largestDepth = 36;
+    static constexpr int stackSize = 7 * largestDepth + 1;
+
+    std::vector<Node> nodes_;
+    std::vector<std::uint32_t> blockItems_;
+    int depth_ = 0;
+};
+
+template <typename Visit, typename OnNode>
+void WideBvh::traverse(TreeRay& ray, const Visit& visit, const OnNode& onNode) const {
+    struct Waiting {
+        std::uint32_t child;
+        float t;
+    };
+    const Float8 ix = broadcast8(ray.inverse[0]);
+    const Float8 iy = broadcast8(ray.inverse[1]);
+    const Float8 iz = broadcast8(ray.inverse[2]);
+    const Float8 ox = broadcast8(ray.origin[0] * ray.inverse[0]);
+    const Float8 oy = broadcast8(ray.origin[1] * ray.inverse[1]);
+    const Float8 oz = broadcast8(ray.origin[2] * ray.inverse[2]);
+    // The rows by which the ray enters a box; it leaves by the others.
+    const unsigned nearX = ray.inverse[0] < 0 ? 3 : 0;
+    const unsigned nearY = ray.inverse[1] < 0 ? 4 : 1;
+    const unsigned nearZ = ray.inverse[2] < 0 ? 5 : 2;
+    const unsigned farX = 3 - nearX;
+    const unsigned farY = 5 - nearY;
+    const unsigned farZ = 7 - nearZ;
+
+    const Node* const nodes = nodes_.data();
+    std::array<Waiting, stackSize> stack;
+    Waiting* top = stack.data();
+    std::uint32_t current = 0;
+    while (true) {
+        if ((current & leafBit) != 0) {
+            if (visit(current & ~leafBit)) return;
+        } else {
+            const Node& node = nodes[current];
+            onNode();
+            const Float8 enter = max8(max8(fms8(node.rows[nearX], ix, ox), fms8(node.rows[nearY], iy, oy)),
+                                      max8(fms8(node.rows[nearZ], iz, oz), Float8{}));
+            const Float8 leave = min8(min8(fms8(node.rows[farX], ix, ox), fms8(node.rows[farY], iy, oy)),
+                                      min8(fms8(node.rows[farZ], iz, oz), broadcast8(ray.tMax)));
+            unsigned hits = lanesOf(enter <= leave);
+            if (hits != 0) {
+                unsigned lane = static_cast<unsigned>(std::countr_zero(hits));
+                hits &= hits - 1;
+                current = node.child[lane];
+                if (hits == 0) continue;
+                const auto times = std::bit_cast<std::array<float, width>>(enter);
+                float nearest = times[lane];
+                Waiting* const base = top;
+                do {
+                    lane = static_cast<unsigned>(std::countr_zero(hits));
+                    hits &= hits - 1;
+                    Waiting other = {node.child[lane], times[lane]};
+                    if (other.t < nearest) {
+                        std::swap(other.child, current);
+                        std::swap(other.t, nearest);
+                    }
+                    // Insertion keeps the farthest lowest; few children are hit, so it beats a sort.
+                    Waiting* slot = top++;
+                    while (slot > base && slot[-1].t < other.t) {
+                        *slot = slot[-1];
+                        --slot;
+                    }
+                    *slot = other;
+                } while (hits != 0);
+                continue;
+            }
+        }
+        do {
+            if (top == stack.data()) return;
+            --top;
+        } while (top->t > ray.tMax);
+        current = top->child;
+    }
+}
+
+}  // namespace caustic

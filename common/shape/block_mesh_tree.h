@@ -1,0 +1,47 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "accel/compact_kd_tree.h"
+#include "accel/wide_bvh.h"
+#include "shape/mesh_space.h"
+#include "shape/mesh_tree.h"
+#include "shape/triangle_block.h"
+
+namespace caustic {
+
+/// A tree in float over blocks of eight triangles, of either kind.
+///
+/// What the blocks nominate waits until the ray is through, or the list is full. A nominee that is sure to be hit ends
+/// the ray there, within its error; so most rays have one triangle left in the end, and only that one's corners are
+/// fetched and tested in `Real`.
+template <typename Tree>
+class BlockMeshTree final : public MeshTree {
+public:
+    /// @param mesh  as checkMesh wants it, with a triangle that has an area
+    explicit BlockMeshTree(std::shared_ptr<const MeshData> mesh);
+
+    std::optional<MeshHit> intersect(const Ray& ray) const override;
+    bool occluded(const Ray& ray) const override;
+    std::optional<MeshHit> intersectCounted(const Ray& ray, MeshWork& work) const override;
+    MeshTreeSize size() const override;
+
+private:
+    template <bool any, bool counted>
+    std::optional<MeshHit> search(const Ray& ray, MeshWork* work) const;
+
+    template <bool any>
+    std::optional<MeshHit> searchAll(const Ray& ray) const;
+
+    std::shared_ptr<const MeshData> mesh_;
+    MeshSpace space_;
+    std::vector<std::uint32_t> triangles_;
+    Tree tree_;
+    std::vector<TriangleBlock> blocks_;
+};
+
+extern template class BlockMeshTree<CompactKdTree>;
+extern template class BlockMeshTree<WideBvh>;
+
+}  // namespace caustic

@@ -1,0 +1,189 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "shape/obj_file.h"
+#include "shape/polygon.h"
+#include "shape/triangle_clip.h"
+#include "shape/triangle_mesh.h"
+#include "shape/vertex_normals.h"
+#include "support/in_cube.h"
+
+namespace caustic {
+namespace {
+
+using test::inCube;
+
+// Every point of the triangle that is in the cell must be in the box; sampled densely.
+TEST(TriangleClip, HoldsAllThatIsInTheCell) {
+    for (std::uint64_t i = 0; i < 2000; ++i) {
+        Random random(1, {i});
+        const std::array<Vec3, 3> corners = {2 * inCube(random), 2 * inCube(random), 2 * inCube(random)};
+        const Vec3 center = inCube(random);
+        const Bounds3 cell(center - Vec3(0.4, 0.5, 0.6), center + Vec3(0.6, 0.5, 0.4));
+        Bounds3 box = clippedTriangleBounds(corners[0], corners[1], corners[2], cell);
+        if (!box.isEmpty()) box = {box.min() - Vec3::Constant(1e-12), box.max() + Vec3::Constant(1e-12)};
+        for (int k = 0; k < 60; ++k) {
+            const Real size = std::sqrt(random.uniform());
+            const Real share = random.uniform();
+            const Vec3 point = (1 - size) * corners[0] + size * (1 - share) * corners[1] + size * share * corners[2];
+            if (!cell.contains(point)) continue;
+            ASSERT_TRUE(box.contains(point)) << "Which plane cuts off a part that is inside?";
+        }
+    }
+}
+
+// A box has to be tight to be of use. The triangle x + y + z = 1 in a corner cell, by hand.
+TEST(TriangleClip, IsTightAndEmptyBesideTheTriangle) {
+    const Vec3 a = Vec3::UnitX();
+    const Vec3 b = Vec3::UnitY();
+    const Vec3 c = Vec3::UnitZ();
+    const Bounds3 part = clippedTriangleBounds(a, b, c, Bounds3(Vec3(0.5, 0, 0), Vec3::Ones()));
+    EXPECT_TRUE(part.min().isApprox(Vec3(0.5, 0, 0), 1e-14)) << part.min().transpose();
+    EXPECT_TRUE(part.max().isApprox(Vec3(1, 0.5, 0.5), 1e-14))
+        << part.max().transpose()
+        << ": beyond x = 0.5 neither y nor z exceeds 0.5. Is the polygon cut, or only its box?";
+    const Bounds3 beside = clippedTriangleBounds(a, b, c, Bounds3(Vec3::Constant(0.4), Vec3::Ones()));
+    EXPECT_TRUE(beside.isEmpty()) << "The cell is in the triangle's box, but on one side of its plane.";
+}
+
+// One triangle in a plane, normals that differ: at the corners they are what the mesh says.
+MeshData oneTriangle() {
+    MeshData mesh;
+    mesh.positions = {Vec3(0, 0, 0), Vec3(2, 0, 0), Vec3(0, 2, 0)};
+    mesh.triangles = {{0, 1, 2}};
+    mesh.normals = {Vec3(0.6, 0, 0.8), Vec3(0, 0, 5), Vec3(0, 0.6, 0.8)};
+    mesh.normalCorners = {{0, 1, 2}};
+    return mesh;
+}
+
+TEST(InterpolatedNormal, IsTheCornersNormalsByBarycentricCoordinates) {
+    const MeshData mesh = oneTriangle();
+    const Vec3 ng = Vec3::UnitZ();
+    EXPECT_TRUE(interpolatedNormal(mesh, {{1, 0, 0}, 0}, ng).isApprox(Vec3(0.6, 0, 0.8), 1e-14))
+        << "At b1 = b2 = 0 stands the first corner.";
+    EXPECT_TRUE(interpolatedNormal(mesh, {{1, 1, 0}, 0}, ng).isApprox(Vec3::UnitZ(), 1e-14)) << "b1 is the second's.";
+    EXPECT_TRUE(interpolatedNormal(mesh, {{1, 0, 1}, 0}, ng).isApprox(Vec3(0, 0.6, 0.8), 1e-14))
+        << "b2 is the third's.";
+    const Vec3 middle = interpolatedNormal(mesh, {{1, 0.5, 0.25}, 0}, ng);
+    const Vec3 expected = (0.25 * Vec3(0.6, 0, 0.8) + 0.5 * Vec3::UnitZ() + 0.25 * Vec3(0, 0.6, 0.8)).normalized();
+    EXPECT_TRUE(middle.isApprox(expected, 1e-14))
+        << "A file's normals may have any length: are they made unit ones before they are mixed, and the sum after?";
+}
+
+TEST(InterpolatedNormal, StaysOnTheFacesSideAndFallsBackToIt) {
+    MeshData mesh = oneTriangle();
+    EXPECT_TRUE(interpolatedNormal(mesh, {{1, 0.3, 0.3}, 0}, -Vec3::UnitZ()).z() < 0) << "ns is on the side of ng.";
+    mesh.normals[1] = Vec3::Zero();
+    EXPECT_EQ(interpolatedNormal(mesh, {{1, 0.3, 0.3}, 0}, Vec3::UnitZ()), Vec3::UnitZ()) << "A corner has no normal.";
+    mesh.normals = {Vec3::UnitX(), -Vec3::UnitX(), Vec3::UnitX()};
+    EXPECT_EQ(interpolatedNormal(mesh, {{1, 0.5, 0}, 0}, Vec3::UnitZ()), Vec3::UnitZ()) << "The normals cancel.";
+    mesh.normalCorners = {{0, MeshData::none, 2}};
+    EXPECT_EQ(interpolatedNormal(mesh, {{1, 0.3, 0.3}, 0}, Vec3::UnitZ()), Vec3::UnitZ()) << "A corner names none.";
+    mesh.normalCorners.clear();
+    EXPECT_EQ(interpolatedNormal(mesh, {{1, 0.3, 0.3}, 0}, Vec3::UnitZ()), Vec3::UnitZ()) << "The mesh has none.";
+}
+
+// A pyramid's corner: three faces, of which one is cut into two. Unit normals of the three planes are the axes.
+MeshData cornerOfABox(const Vec3& size) {
+    MeshData mesh;
+    mesh.positions = {Vec3::Zero(), Vec3(size.x(), 0, 0), Vec3(0, size.y(), 0), Vec3(0, 0, size.z()),
+                      Vec3(size.x(), size.y(), 0)};
+    // Outside is towards negative coordinates; z = 0 is cut in two at the corner.
+    mesh.triangles = {{0, 4, 1}, {0, 2, 4}, {0, 3, 2}, {0, 1, 3}};
+    return mesh;
+}
+
+TEST(VertexNormals, MeanTakesEachTriangleOnce) {
+    const Vec3 normal = vertexNormals(cornerOfABox(Vec3(1, 2, 3)), NormalWeight::Mean)[0];
+    EXPECT_TRUE(normal.isApprox(Vec3(-1, -1, -2).normalized(), 1e-14))
+        << normal.transpose() << ": two triangles look along -z. Does each count with a unit normal?";
+}
+
+TEST(VertexNormals, AreaTakesLargeTrianglesMore) {
+    const Vec3 normal = vertexNormals(cornerOfABox(Vec3(1, 2, 3)), NormalWeight::Area)[0];
+    // x = 0: half of 2 · 3; y = 0: half of 1 · 3; z = 0: two halves of 1 · 2.
+    EXPECT_TRUE(normal.isApprox(-Vec3(3, 1.5, 2).normalized(), 1e-14)) << normal.transpose();
+}
+
+TEST(VertexNormals, AngleDoesNotSeeHowAFaceIsCut) {
+    const Vec3 normal = vertexNormals(cornerOfABox(Vec3(1, 2, 3)), NormalWeight::Angle)[0];
+    EXPECT_TRUE(normal.isApprox(-Vec3(1, 1, 1).normalized(), 1e-14))
+        << normal.transpose() << ": three right angles meet. Is the angle the one at this vertex?";
+}
+
+TEST(VertexNormals, NothingComesFromTrianglesWithoutArea) {
+    MeshData mesh = cornerOfABox(Vec3::Ones());
+    mesh.positions.push_back(Vec3(7, 7, 7));  // of no triangle
+    mesh.triangles.push_back({0, 1, 1});
+    for (const NormalWeight weight : {NormalWeight::Mean, NormalWeight::Area, NormalWeight::Angle}) {
+        const auto normals = vertexNormals(mesh, weight);
+        ASSERT_EQ(normals.size(), 6U);
+        EXPECT_EQ(normals[5], Vec3::Zero()) << "A vertex without triangles has no normal.";
+        EXPECT_TRUE(normals[0].allFinite()) << "What is 0 / 0?";
+        EXPECT_NEAR(normals[0].norm(), 1, 1e-14);
+    }
+}
+
+Real areaOf(const std::vector<Vec3>& corners, const std::array<std::uint32_t, 3>& triangle) {
+    const auto& [a, b, c] = triangle;
+    return (corners[b] - corners[a]).cross(corners[c] - corners[a]).z() / 2;
+}
+
+// An arrow's head, an L, and a comb: signed areas must be positive and sum to the polygon's.
+TEST(Triangulated, CoversConcavePolygonsOnce) {
+    const std::vector<std::vector<Vec3>> polygons = {
+        {Vec3(0, 0, 0), Vec3(2, -1, 0), Vec3(0.5, 0, 0), Vec3(2, 1, 0)},
+        {Vec3(0, 0, 0), Vec3(2, 0, 0), Vec3(2, 1, 0), Vec3(1, 1, 0), Vec3(1, 2, 0), Vec3(0, 2, 0)},
+        {Vec3(0, 0, 0), Vec3(5, 0, 0), Vec3(5, 3, 0), Vec3(4, 3, 0), Vec3(4, 1, 0), Vec3(3, 1, 0), Vec3(3, 3, 0),
+         Vec3(2, 3, 0), Vec3(2, 1, 0), Vec3(1, 1, 0), Vec3(1, 3, 0), Vec3(0, 3, 0)}};
+    const std::array<Real, 3> areas = {1.5, 3, 11};
+    for (std::size_t i = 0; i < polygons.size(); ++i) {
+        for (std::size_t turn = 0; turn < polygons[i].size(); ++turn) {
+            std::vector<Vec3> corners = polygons[i];
+            std::rotate(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(turn), corners.end());
+            const auto triangles = triangulated(corners);
+            ASSERT_EQ(triangles.size(), corners.size() - 2);
+            Real sum = 0;
+            for (const auto& triangle : triangles) {
+                EXPECT_GE(areaOf(corners, triangle), 0) << "polygon " << i << ": which corner is no ear?";
+                sum += std::abs(areaOf(corners, triangle));
+            }
+            EXPECT_NEAR(sum, areas[i], 1e-12) << "polygon " << i << ": do triangles overlap?";
+        }
+    }
+}
+
+// Whichever way a polygon is seen, its triangles go round as it does; one that crosses itself still has n - 2.
+TEST(Triangulated, KeepsTheWayRoundAndEndsAlways) {
+    const std::vector<Vec3> head = {Vec3(0, 0, 0), Vec3(2, -1, 0), Vec3(0.5, 0, 0), Vec3(2, 1, 0)};
+    const std::vector<Vec3> reversed(head.rbegin(), head.rend());
+    for (const auto& triangle : triangulated(reversed)) EXPECT_LE(areaOf(reversed, triangle), 0) << "Seen from behind.";
+    const std::vector<Vec3> crossing = {Vec3(0, 0, 0), Vec3(2, 2, 0), Vec3(2, 0, 0), Vec3(0, 2, 0), Vec3(-1, 1, 0)};
+    EXPECT_EQ(triangulated(crossing).size(), 3U);
+    const std::vector<Vec3> point(6, Vec3::Ones());
+    EXPECT_EQ(triangulated(point).size(), 4U) << "A polygon without area must not stop the reader.";
+}
+
+// As in the OBJ specification: 1 is the first, -1 the latest.
+TEST(ObjIndex, CountsFromBothEnds) {
+    EXPECT_EQ(objIndex(1, 5), 0U) << "OBJ counts from 1.";
+    EXPECT_EQ(objIndex(5, 5), 4U);
+    EXPECT_EQ(objIndex(-1, 5), 4U) << "-1 is the latest one.";
+    EXPECT_EQ(objIndex(-5, 5), 0U);
+    EXPECT_EQ(objIndex(7, 5), 6U) << "A face may come before its vertices.";
+}
+
+TEST(ObjIndex, RefusesWhatNamesNothing) {
+    EXPECT_EQ(objIndex(0, 5), std::nullopt) << "There is no 0.";
+    EXPECT_EQ(objIndex(-6, 5), std::nullopt) << "That is before the first one.";
+    EXPECT_EQ(objIndex(-1, 0), std::nullopt);
+    EXPECT_EQ(objIndex(5'000'000'000LL, 5), std::nullopt) << "That does not fit into 32 bits.";
+}
+
+}  // namespace
+}  // namespace caustic
