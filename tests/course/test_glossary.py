@@ -26,7 +26,7 @@ class Glossary(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.headers = [path.read_text(encoding="utf-8") for path in (ROOT / "common").rglob("*.h")]
-        cls.newest = max(int(chapter[:2]) for chapter in all_chapters())
+        cls.standing = {int(chapter[:2]) for chapter in all_chapters()}
 
     def declares(self, name):
         """Whether a header has the name; of A::b, one that declares A and has b."""
@@ -47,7 +47,7 @@ class Glossary(unittest.TestCase):
     def test_names_of_chapters_that_stand_are_declared(self):
         checked = 0
         for number, cells in rows():
-            if int(cells[4][:2]) > self.newest:
+            if int(cells[4][:2]) not in self.standing:
                 continue
             for name in re.findall(r"`([^`]+)`", cells[1]):
                 with self.subTest(line=number, name=name):
