@@ -74,7 +74,7 @@ void addMeshSet(CsvTable& table, const MeshSet& set, FigureContext& context) {
     for (std::size_t k = 0; k < methods.size(); ++k) {
         std::int64_t sum = 0;
         for (const std::int64_t count : failures[k]) sum += count;
-        table.addRow(methods[k].name, "triangles " + set.name, sum, rays);
+        table.addRow(methods[k].name, "triangles: " + set.name, sum, rays);
     }
     context.progress().advance();
 }

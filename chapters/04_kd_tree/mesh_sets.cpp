@@ -90,7 +90,7 @@ MeshData farAway(Random& random, std::uint32_t triangles) {
 }  // namespace
 
 std::vector<MeshSet> meshSets() {
-    return {{"anywhere", anywhere},           {"in one plane", inOnePlane}, {"identical boxes", identicalBoxes},
+    return {{"anywhere", anywhere},           {"in one plane", inOnePlane}, {"in identical boxes", identicalBoxes},
             {"one huge among tiny", oneHuge}, {"slivers", slivers},         {"each triangle twice", eachTwice},
             {"corners on a grid", onGrid},    {"far away", farAway}};
 }

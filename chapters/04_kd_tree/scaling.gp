@@ -7,6 +7,7 @@ is(method) = strcol(1) eq method
 set multiplot layout 1,2 title "From a hundred triangles to a million\n{/*0.75 random chords through a bumpy sphere; counted, not timed}" font ",20"
 set datafile missing NaN
 set logscale x
+set xrange [50:2e6]
 set xlabel "triangles"
 set xtics ("10^{2}" 1e2, "10^{3}" 1e3, "10^{4}" 1e4, "10^{5}" 1e5, "10^{6}" 1e6)
 set grid xtics ytics

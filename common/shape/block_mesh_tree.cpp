@@ -30,11 +30,18 @@ void plant(const MeshData& mesh, const MeshSpace& space, const std::vector<std::
         const Bounds3 box = mesh.bounds(triangle);
         boxes.emplace_back(space.toTree(box.min()).cast<float>(), space.toTree(box.max()).cast<float>());
     }
+    // Cells are rounded to floats, corners are not: without a margin a triangle in a face of the box could be outside
+    // of every cell. What is left of it then is flat.
+    const Vec3 margin = Vec3::Constant(treeRayPadding / 8);
     const auto clip = [&](std::uint32_t item, const KdBox<float>& inside) {
         const auto [a, b, c] = mesh.corners(triangles[item]);
-        const Bounds3 box(inside.min().cast<Real>(), inside.max().cast<Real>());
-        return KdBox<float>(
-            clippedTriangleBounds(space.toTree(a), space.toTree(b), space.toTree(c), box).cast<float>());
+        const Bounds3 cell(inside.min().cast<Real>() - margin, inside.max().cast<Real>() + margin);
+        const Bounds3 left = clippedTriangleBounds(space.toTree(a), space.toTree(b), space.toTree(c), cell);
+        if (left.isEmpty()) return KdBox<float>();
+        const auto inCell = [&](const Vec3& corner) {
+            return corner.cast<float>().cwiseMax(inside.min()).cwiseMin(inside.max()).eval();
+        };
+        return KdBox<float>(inCell(left.min()), inCell(left.max()));
     };
     tree.emplace(std::move(boxes), wideRule, clip);
 }

@@ -81,7 +81,7 @@ TEST(MeshTrees, KeepToTheRaysEnds) {
 
 // Scaling a mesh by a power of two changes no digit; moving it far away costs digits of the mesh, not of the answer.
 TEST(MeshTrees, AgreeAtEveryScaleAndFarFromTheOrigin) {
-    for (const Real scale : {0x1p-300, 1e-6, 1.0, 1e6, 0x1p200}) {
+    for (const Real scale : {0x1p-100, 1e-6, 1.0, 1e6, 0x1p100}) {
         for (const Real away : {0.0, 10.0, 1e5}) {
             Random maker(5, {0});
             MeshData moved = meshSets()[0].make(maker, 100);
