@@ -7,6 +7,7 @@
 #include "core/csv_table.h"
 #include "core/parallel.h"
 #include "core/progress.h"
+#include "core/text.h"
 #include "figures.h"
 #include "math/spawn.h"
 
@@ -29,7 +30,7 @@ void addPrecision(CsvTable& table, const std::string& name, FigureContext& conte
     const double step = context.byQuality(0.5, 0.25);
     const Range scales = {-4, 7, step};
     const Range offsets = {-16, 2, step};
-    const int rays = context.byQuality(200, 1000);
+    constexpr int rays = 1000;
     std::vector<ContactFailures> counts(static_cast<std::size_t>(scales.count() * offsets.count()));
     parallelFor(scales.count() * offsets.count(), context.threads(), [&](std::int64_t i) {
         const double scale = std::pow(10, scales.at(static_cast<int>(i) / offsets.count()));
@@ -47,7 +48,8 @@ void addPrecision(CsvTable& table, const std::string& name, FigureContext& conte
         const double rule = relative * static_cast<double>(scene.floorPoint(scene.touch()).magnitude);
         for (int j = 0; j < offsets.count(); ++j) {
             const ContactFailures& count = counts[static_cast<std::size_t>(i * offsets.count() + j)];
-            table.addRow(name, scales.at(i), offsets.at(j), count.selfHits.failures, count.lostContacts.failures, rays,
+            table.addRow(name, "size 1e" + formatReal(scales.at(i)) + ", distance 1e" + formatReal(offsets.at(j)),
+                         scales.at(i), offsets.at(j), count.selfHits.failures, count.lostContacts.failures, rays,
                          std::log10(rule));
         }
     }
@@ -57,7 +59,8 @@ void addPrecision(CsvTable& table, const std::string& name, FigureContext& conte
 
 void chartOffsets(FigureContext& context) {
     context.progress().expect(context.byQuality(2 * 23 * 37, 2 * 45 * 73));
-    CsvTable table({"precision", "log10_scale", "log10_offset", "self_hits", "lost_contacts", "trials", "log10_rule"});
+    CsvTable table(
+        {"method", "case", "log10_scale", "log10_offset", "self_hits", "lost_contacts", "trials", "log10_rule"});
     addPrecision<float>(table, "float", context);
     addPrecision<double>(table, "double", context);
     table.save(context.output("offset_map.csv"));

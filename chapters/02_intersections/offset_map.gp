@@ -15,7 +15,7 @@ strength(failures, trials) = failures > 0 ? 0.25 + 0.75 * failures / trials : 0.
 blended(a, b) = int(255 - a * 42 - b * 255 * (1 - a)) * 65536 + int(255 - a * 161 - b * 141 * (1 - a)) * 256 \
     + int(255 - a * 255 - b * 77 * (1 - a))
 mixed(selfHits, lost, trials) = blended(strength(selfHits, trials), strength(lost, trials))
-stats file using 3 every ::0::1 nooutput
+stats file using 4 every ::0::1 nooutput
 half = 0.56 * (STATS_max - STATS_min)
 do for [precision in "float double"] {
     set title precision font ",18"
@@ -23,8 +23,8 @@ do for [precision in "float double"] {
     set label 1 "too small: the surface shadows itself" at 7,(precision eq "float" ? -12.5 : -14.6) right front font ",15"
     set label 2 "too large: the gap is lost" at -3.9,0.9 left front textcolor rgb "white" font ",15"
     set label 3 "the relative rule" at (precision eq "float" ? -0.6 : 1.2),(precision eq "float" ? -5.2 : -11.9) left rotate by 31 front font ",15"
-    plot file using (strcol(1) eq precision ? $2 : NaN):3:(half):(half):(mixed($4, $5, $6)) \
+    plot file using (strcol(1) eq precision ? $3 : NaN):4:(half):(half):(mixed($5, $6, $7)) \
              with boxxyerror fillcolor rgb variable fillstyle solid noborder, \
-         file using (strcol(1) eq precision ? $2 : NaN):7 with lines lc rgb "black" lw 2.5
+         file using (strcol(1) eq precision ? $3 : NaN):8 with lines lc rgb "black" lw 2.5
 }
 unset multiplot

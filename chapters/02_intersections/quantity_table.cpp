@@ -17,6 +17,8 @@ namespace caustic {
 
 namespace {
 
+constexpr int raysPerCase = 5000;  // in a draft, too: with other rays "the smallest that works" is another number
+
 // The rule with another number of machine epsilons.
 LeavingRule relativeRuleOf(double epsilons) {
     return [epsilons](const Hit& from, const Vec3& direction) {
@@ -57,7 +59,7 @@ void addFewestEpsilons(CsvTable& table, FigureContext& context) {
     for (std::size_t i = 0; i < catalogue.size(); ++i) {
         context.progress().advance();
         if (!catalogue[i].closed && !catalogue[i].convex) continue;  // a group may be hit again, by rights
-        const double fewest = fewestEpsilons(i, context.byQuality(1'000, 20'000), context.seed());
+        const double fewest = fewestEpsilons(i, raysPerCase, context.seed());
         table.addRow("relative", "smallest offset without self-hits: " + catalogue[i].name, fewest,
                      "machine epsilons of the magnitude", "the rule takes " + std::to_string(std::lround(ours)));
     }
@@ -74,12 +76,12 @@ double lastThatWorks(double start, double factor, const std::function<bool(doubl
 // size 1; all to a quarter of a decade.
 template <typename Scalar>
 void addFixedDistances(CsvTable& table, const std::string& precision, FigureContext& context) {
-    const int rays = context.byQuality(1'000, 10'000);
     const double step = std::pow(10, 0.25);
-    const std::string reference = "a gap of 1/2000 is kept, and no self-hit in " + std::to_string(rays) + " rays";
+    const std::string reference =
+        "a gap of 1/2000 is kept, and no self-hit in " + std::to_string(raysPerCase) + " rays";
     const auto works = [&](double size, double distance) {
         const ContactFailures count =
-            contactFailures<Scalar>(size, {static_cast<Scalar>(distance), 0}, rays, context.seed());
+            contactFailures<Scalar>(size, {static_cast<Scalar>(distance), 0}, raysPerCase, context.seed());
         return count.selfHits.failures + count.lostContacts.failures == 0;
     };
     for (const auto& [end, factor] : {std::pair("smallest", 1 / step), std::pair("largest", step)}) {
@@ -96,10 +98,9 @@ void addFixedDistances(CsvTable& table, const std::string& precision, FigureCont
 }
 
 void addSmallestGap(CsvTable& table, FigureContext& context) {
-    const int rays = context.byQuality(1'000, 20'000);
     const Transform place = Transform::translation(Vec3(0.3, -0.7, 0.5));
     const double gap = lastThatWorks(1.0 / 2000, 0.5, [&](double smaller) {
-        return countLostContacts(place, smaller, relativeRule(), rays, context.seed()).failures == 0;
+        return countLostContacts(place, smaller, relativeRule(), raysPerCase, context.seed()).failures == 0;
     });
     table.addRow("relative", "every shape: smallest gap that is kept", gap, "sizes of the shapes",
                  "found by halving 1/2000; the rule's offset is " + formatReal(surfaceOffset));
@@ -109,13 +110,12 @@ void addSmallestGap(CsvTable& table, FigureContext& context) {
 // How many digits of t a decade of distance costs: slope of log error over log distance, least squares.
 template <typename Scalar>
 void addDigitsLost(CsvTable& table, const std::string& precision, int lastExponent, FigureContext& context) {
-    const std::size_t count = context.byQuality(1000U, 10'000U);
     const double middle = (1 + lastExponent) / 2.0;
     for (const auto& method : sphereMethods<Scalar>()) {
         double products = 0;
         double squares = 0;
         for (int exponent = 1; exponent <= lastExponent; ++exponent) {
-            const auto cases = sphereCases<Scalar>(std::pow(10, exponent), count, context.seed());
+            const auto cases = sphereCases<Scalar>(std::pow(10, exponent), chartedRays, context.seed());
             const double digits = std::log10(sphereError(method, cases, context.threads()));
             products += (exponent - middle) * digits;
             squares += (exponent - middle) * (exponent - middle);

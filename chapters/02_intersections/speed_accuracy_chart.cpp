@@ -38,13 +38,12 @@ struct Plan {
 
 template <typename Scalar>
 void addMethods(Plan& plan, const std::string& scalar, FigureContext& context) {
-    const std::size_t count = context.byQuality(1000U, 10'000U);
     for (const auto& method : sphereMethods<Scalar>()) {
         for (int exponent = smallestExponent; exponent <= largestExponent; ++exponent) {
             const double distance = std::pow(10, exponent);
             plan.methods.push_back(method.name);
             plan.settings.push_back("distance=" + std::to_string(std::lround(distance)) + ";scalar=" + scalar);
-            const auto cases = sphereCases<Scalar>(distance, count, context.seed());
+            const auto cases = sphereCases<Scalar>(distance, chartedRays, context.seed());
             plan.errors.push_back(sphereError(method, cases, context.threads()));
             plan.pieces.push_back(batchOf(method, distance, context.seed()));
             context.progress().advance();

@@ -32,6 +32,9 @@ std::vector<SphereMethod<Scalar>> sphereMethods() {
             {"stable quadratic", stableQuadratic<Scalar>}};
 }
 
+/// How many rays make a point of a chart, in a draft and in the report: the same error in both.
+inline constexpr std::size_t chartedRays = 2000;
+
 /// A ray as seen from its origin, and the sphere of radius 1 that it hits.
 template <typename Scalar>
 struct SphereCase {

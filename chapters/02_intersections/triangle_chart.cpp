@@ -34,7 +34,7 @@ std::function<void()> batchOf(const TriangleMethod& method, double away, std::ui
 }  // namespace
 
 void chartTriangles(FigureContext& context) {
-    const std::int64_t rays = context.byQuality(50'000, 1'000'000);
+    const std::int64_t rays = context.byQuality(200'000, 1'000'000);
     const std::vector<TriangleMethod> methods = triangleMethods();
     context.progress().expect(static_cast<std::int64_t>(2 * methods.size() * distances.size()) + 1);
     std::vector<std::function<void()>> pieces;
