@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "camera/pixel_filter.h"
+#include "image/image.h"
+#include "sampling/pixel.h"
+
+namespace caustic {
+
+/// A sample that was no finite number.
+struct BadSample {
+    Pixel pixel;             ///< where
+    std::int64_t index = 0;  ///< which of the pixel's samples
+};
+
+/// Gathers samples and makes them a picture. Sums are in double precision and in the order of the calls, so who wants
+/// the same picture for any number of threads adds in a fixed order.
+class Film {
+public:
+    /// @throws InputError when the size is not one of an image
+    Film(int width, int height);
+
+    /// Pixels in a row.
+    int width() const { return width_; }
+    /// Rows.
+    int height() const { return height_; }
+
+    /// Enters a sample of a pixel; the pixel shows their mean. Its place was chosen with the pixel filter's density, so
+    /// all count the same. A value that isn't finite is left out, and counted.
+    /// @param index  which of the pixel's samples it is, for the report of a bad one
+    void add(Pixel pixel, std::int64_t index, const Color& value);
+
+    /// Enters a contribution at any place of the film, spread over the pixels around by the filter: what a path from a
+    /// light brings. The picture shows the sum divided by splatPaths.
+    void splat(const Vec2& place, const Color& value, const PixelFilter& filter);
+
+    /// Says that further paths have set out whose contributions are splats.
+    void countSplatPaths(std::int64_t paths) { splatPaths_ += paths; }
+
+    /// Mean of a pixel's samples, splats included.
+    Color value(Pixel pixel) const;
+
+    /// How many samples a pixel has.
+    std::int64_t samples(Pixel pixel) const { return counts_[offset(pixel)]; }
+
+    /// The picture.
+    Image image() const;
+
+    /// How many samples were no finite numbers, and the first of them.
+    std::int64_t badSamples() const { return badSamples_; }
+    /// The first sample that was no finite number.
+    const std::optional<BadSample>& firstBad() const { return firstBad_; }
+
+private:
+    std::size_t offset(Pixel pixel) const {
+        return static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(pixel.x);
+    }
+    void countBad(Pixel pixel, std::int64_t index);
+
+    int width_;
+    int height_;
+    std::vector<Color> sums_;
+    std::vector<std::int64_t> counts_;
+    std::vector<Color> splats_;  // empty until the first one
+    std::int64_t splatPaths_ = 0;
+    std::int64_t badSamples_ = 0;
+    std::optional<BadSample> firstBad_;
+};
+
+}  // namespace caustic

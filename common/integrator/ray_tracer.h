@@ -1,0 +1,50 @@
+#pragma once
+
+#include "integrator/integrator.h"
+
+namespace caustic {
+
+/// How far and how fine a RayTracer goes.
+struct RayTracerSettings {
+    /// Reflections and refractions in a row, at most; at least 0. What comes after them is lost.
+    int maxDepth = 8;
+
+    /// A ray that counts less than this isn't followed; in [0, 1). Each boundary then loses less than its share of it.
+    Real leastWeight = 0;
+
+    /// Points of each light with an extent that are asked for at each diffuse surface, at least 1.
+    int shadowSamples = 1;
+};
+
+/// Recursive ray tracing: at each surface, the light that comes straight from the lights is scattered by its diffuse
+/// and glossy lobes, and every delta lobe is followed with a ray of its own. Light that comes over other diffuse
+/// surfaces is missing; the scene's ambient light stands for it. Light that reaches a diffuse surface through glass is
+/// missing. Source: Whitted 1980, An Improved Illumination Model for Shaded Display; soft shadows: Cook, Porter,
+/// Carpenter 1984.
+class RayTracer final : public Integrator {
+public:
+    /// @throws InputError when a setting is out of its range
+    RayTracer(const Scene& scene, const Sampler& sampler, const PixelFilter& filter, const RayTracerSettings& settings);
+
+    Color Li(const Ray& ray, const MediumStack& media, const PathNumbers& numbers, RayCounts& counts) const override;
+
+    /// Light that comes to a surface straight from the lights and leaves it along wo, W/(m²·sr). Of a light with an
+    /// extent it is an estimate by shadowSamples points.
+    /// @param vertex  which vertex of the path it is, from 0
+    Color direct(const Interaction& at, int vertex, const PathNumbers& numbers, RayCounts& counts) const;
+
+private:
+    // A ray on its way: what it starts in, how deep it is, how much it counts.
+    struct Branch {
+        Ray ray;
+        MediumStack media;
+        int depth = 0;
+        Real weight = 1;
+    };
+    Color trace(const Branch& branch, const PathNumbers& numbers, RayCounts& counts) const;
+    Color ambient(const Interaction& at, int vertex, const PathNumbers& numbers) const;
+
+    RayTracerSettings settings_;
+};
+
+}  // namespace caustic

@@ -1,0 +1,23 @@
+#include "material/diffuse_bsdf.h"
+
+#include <numbers>
+
+#include "sampling/warp.h"
+
+namespace caustic {
+
+Color DiffuseBsdf::localF(const Vec3&, const Vec3& wi, Real) const {
+    if (wi.z() <= 0) return Color::Zero();
+    return reflectance_ * std::numbers::inv_pi;
+}
+
+Real DiffuseBsdf::localPdfW(const Vec3&, const Vec3& wi, Real) const {
+    return wi.z() > 0 ? wi.z() * std::numbers::inv_pi : 0;
+}
+
+std::optional<BsdfSample> DiffuseBsdf::localSample(const Vec3& wo, const Vec2& u, Real, Real eta) const {
+    const Vec3 wi = cosineHemisphere(u);
+    return BsdfSample{wi, localF(wo, wi, eta), localPdfW(wo, wi, eta), 1, lobes()};
+}
+
+}  // namespace caustic

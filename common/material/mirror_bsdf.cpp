@@ -1,0 +1,17 @@
+#include "material/mirror_bsdf.h"
+
+#include "material/directions.h"
+
+namespace caustic {
+
+std::optional<BsdfSample> MirrorBsdf::localSample(const Vec3& wo, const Vec2&, Real, Real eta) const {
+    return localDeltaLobes(wo, eta).lobe[0];
+}
+
+DeltaLobes MirrorBsdf::localDeltaLobes(const Vec3& wo, Real) const {
+    DeltaLobes all;
+    all.add({reflected(wo, Vec3::UnitZ()), reflectance_, 1, 1, lobes()});
+    return all;
+}
+
+}  // namespace caustic

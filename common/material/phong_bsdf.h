@@ -1,0 +1,31 @@
+#pragma once
+
+#include "material/bsdf.h"
+
+namespace caustic {
+
+/// Phong's model with the factors that keep energy: f = diffuse / π + specular · (n + 2)/(2π) · cosⁿα, where α is the
+/// angle between wi and the mirror direction of wo. Reciprocal. Source: Phong 1975; Lafortune, Willems 1994, Using the
+/// Modified Phong Reflectance Model for Physically Based Rendering, CW 197.
+class PhongBsdf final : public Bsdf {
+public:
+    /// @param diffuse   share reflected into all directions
+    /// @param specular  share reflected around the mirror direction at normal incidence; the two sum to at most 1
+    /// @param exponent  n, at least 0: the larger, the smaller the highlight
+    PhongBsdf(const ShadingFrame& shading, const Color& diffuse, const Color& specular, Real exponent)
+        : Bsdf(shading), diffuse_(diffuse), specular_(specular), exponent_(exponent) {}
+
+    LobeFlags lobes() const override { return LobeFlags::Diffuse | LobeFlags::Glossy | LobeFlags::Reflection; }
+
+private:
+    Color localF(const Vec3& wo, const Vec3& wi, Real eta) const override;
+    Real localPdfW(const Vec3& wo, const Vec3& wi, Real eta) const override;
+    std::optional<BsdfSample> localSample(const Vec3& wo, const Vec2& u, Real uLobe, Real eta) const override;
+    Real diffuseProbability() const;
+
+    Color diffuse_;
+    Color specular_;
+    Real exponent_;
+};
+
+}  // namespace caustic

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <array>
+
+#include "math/hit.h"
+#include "medium/interior.h"
+
+namespace caustic {
+
+/// Which objects with an interior a path is in. The one that fills the place is that of the highest priority; among
+/// equals, the one with the smallest id, whichever was entered first, so that a path and its reverse agree. Source:
+/// Schmidt, Budge 2002, Simple Nested Dielectrics in Ray Traced Images, Journal of Graphics Tools 7(2).
+class MediumStack {
+public:
+    /// More objects than this may not overlap at one place.
+    static constexpr int mostNested = 8;
+
+    /// What fills the place; null in empty space.
+    const Interior* current() const;
+
+    /// Index of refraction of what fills the place; 1 in empty space.
+    Real ior() const;
+
+    /// What absorbs there; null for nothing.
+    const Medium* medium() const;
+
+    /// Whether the path is in the object.
+    bool contains(ObjectId object) const;
+
+    /// The object that fills the place, noObject in empty space.
+    ObjectId object() const;
+
+    /// The path enters or leaves an object. Leaving one that it isn't in changes nothing.
+    /// @param interior  the object's; kept by reference
+    /// @throws InputError when more than mostNested would overlap
+    void enter(ObjectId object, const Interior& interior);
+    /// The path leaves an object.
+    void leave(ObjectId object);
+
+private:
+    struct Entry {
+        ObjectId object = noObject;
+        const Interior* interior = nullptr;
+    };
+    const Entry* top() const;
+
+    std::array<Entry, mostNested> entries_;
+    int count_ = 0;
+};
+
+/// What crossing a boundary does to a path.
+struct Crossing {
+    MediumStack before;  ///< on the side that it comes from
+    MediumStack after;   ///< on the other side
+
+    /// Whether something else fills the place behind the boundary. If not, the boundary is hidden within an object of
+    /// higher priority, and light goes on as if it weren't there.
+    bool counts() const { return before.object() != after.object(); }
+};
+
+/// Crosses the boundary of an object with an interior.
+///
+/// A path that leaves an object which it never entered must have been in it without knowing: it started there. Then
+/// `before` has it.
+/// @param media     what the path is in
+/// @param entering  whether it comes from the side that ng points to
+Crossing crossBoundary(const MediumStack& media, ObjectId object, const Interior& interior, bool entering);
+
+}  // namespace caustic

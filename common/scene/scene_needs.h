@@ -1,0 +1,19 @@
+#pragma once
+
+namespace caustic {
+
+/// What a scene asks for. Whatever it doesn't, integrators skip.
+struct SceneNeeds {
+    bool specular = false;     ///< mirrors or smooth boundaries: delta lobes to follow
+    bool diffuse = false;      ///< diffuse surfaces: receivers of photons
+    bool glossy = false;       ///< lobes around a direction
+    bool areaLights = false;   ///< lights with an extent: more than one shadow sample makes sense
+    bool environment = false;  ///< light from beyond the scene
+    bool ambient = false;      ///< light from everywhere that nothing shades
+    bool lens = false;         ///< a lens with an extent
+    bool interiors = false;    ///< objects that something fills: a path has to know where it is
+    bool medium = false;       ///< a medium that absorbs or scatters
+    bool textures = false;     ///< colours that vary over a surface
+};
+
+}  // namespace caustic
