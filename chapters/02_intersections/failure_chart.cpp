@@ -42,7 +42,7 @@ void addLeaks(CsvTable& table, FigureContext& context) {
 void addSlivers(CsvTable& table, FigureContext& context) {
     const int rays = context.byQuality(20'000, 200'000);
     for (const TriangleMethod& method : triangleMethods()) {
-        addRow(table, method.name, "sliver 2 long, 1e-4 wide: self-hits",
+        addRow(table, method.name, "sliver 1e-4 wide and 2 long: self-hits",
                countSliverSelfHits(method, 1e-4, rays, context.seed()));
     }
     context.progress().advance();
@@ -58,7 +58,7 @@ void addSlabs(CsvTable& table, FigureContext& context) {
             naive += {meetsNaively(one.box, one.ray) != one.meets ? 1 : 0, 1};
             ours += {slabInterval(one.box, one.ray).empty() == one.meets ? 1 : 0, 1};
         }
-        const std::string name = std::string("box: direction of 0s and 1s, from ") + place;
+        const std::string name = std::string("box: direction of 0s and 1s from ") + place;
         addRow(table, "naive slabs", name, naive);
         addRow(table, "slabs", name, ours);
     }
