@@ -38,10 +38,12 @@ NewtonPoint startAt(const ParametricSurface& surface, const Ray& ray, Real u, Re
     return {from.dot(ray.direction) / ray.direction.squaredNorm(), u, v};
 }
 
-NewtonStarts randomStart(const ParametricSurface& surface, const Ray& ray, Random& random) {
+NewtonStarts randomStarts(const ParametricSurface& surface, const Ray& ray, int count, Random& random) {
     NewtonStarts starts;
-    const Real u = random.uniform();
-    starts.add(startAt(surface, ray, u, random.uniform()));
+    for (int i = 0; i < count; ++i) {
+        const Real u = random.uniform();
+        starts.add(startAt(surface, ray, u, random.uniform()));
+    }
     return starts;
 }
 

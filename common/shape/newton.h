@@ -55,8 +55,8 @@ struct NewtonStarts {
 /// The starting point at (u, v) with t where the ray passes nearest to B(u, v).
 NewtonPoint startAt(const ParametricSurface& surface, const Ray& ray, Real u, Real v);
 
-/// One random start.
-NewtonStarts randomStart(const ParametricSurface& surface, const Ray& ray, Random& random);
+/// So many random starts; at most 64 count.
+NewtonStarts randomStarts(const ParametricSurface& surface, const Ray& ray, int count, Random& random);
 
 /// The report's second remedy: the centres of 4 × 4 cells of the domain.
 NewtonStarts gridStarts(const ParametricSurface& surface, const Ray& ray);

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
+#include "core/check.h"
 #include "curve/curve_bounds.h"
 
 namespace caustic {
@@ -21,14 +23,17 @@ RingCylinder ringAround(const BezierCurve& curve) {
 }  // namespace
 
 NewtonRevolution::NewtonRevolution(const std::vector<BezierCurve>& profile, NewtonStartRule rule, int samples)
-    : rule_(rule) {
+    : rule_(rule), samples_(samples) {
+    const int most = rule == NewtonStartRule::Random ? 64 : 32;
+    checkArgument(samples >= 1 && samples <= most, "samples of a segment", std::to_string(samples),
+                  "must be 1 to " + std::to_string(most));
     for (const BezierCurve& curve : profile) segments_.push_back({RevolvedCurve(curve, samples), ringAround(curve)});
 }
 
 NewtonStarts NewtonRevolution::startsOn(const Segment& segment, const Ray& ray, Random& random) const {
     switch (rule_) {
         case NewtonStartRule::Random:
-            return randomStart(segment.curve, ray, random);
+            return randomStarts(segment.curve, ray, samples_, random);
         case NewtonStartRule::Grid:
             return gridStarts(segment.curve, ray);
         default:

@@ -11,7 +11,7 @@ namespace caustic {
 
 /// Where the report lets Newton's method start on each revolved segment.
 enum class NewtonStartRule {
-    Random,     ///< one random point
+    Random,     ///< so many random points
     Grid,       ///< 4 × 4 points, the nearest result counts
     Bracketing  ///< before and behind each meeting that samples of the profile betray
 };
@@ -20,7 +20,9 @@ enum class NewtonStartRule {
 /// the rule's starts. It may lose meetings; SurfaceOfRevolution does not.
 class NewtonRevolution {
 public:
-    /// @param samples  pieces of each segment for bracketing starts, at least 1; at most 32 count
+    /// @param samples  pieces of each segment for bracketing starts, or the number of random ones; 1 to 64, pieces 1 to
+    /// 32
+    /// @throws InputError for another number
     NewtonRevolution(const std::vector<BezierCurve>& profile, NewtonStartRule rule, int samples = 8);
 
     /// t of the nearest meeting found with tMin < t < tMax.
@@ -37,6 +39,7 @@ private:
 
     std::vector<Segment> segments_;
     NewtonStartRule rule_;
+    int samples_;
 };
 
 }  // namespace caustic

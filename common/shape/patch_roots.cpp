@@ -162,10 +162,21 @@ private:
         if (left.u.empty() || left.v.empty()) return;
         const Vec2 middle(middleOf(domain.u, left.u), middleOf(domain.v, left.v));
         if (isOneToOne(net) && addByNewton(middle, domain)) return;
+        if (isTiny(domain.u) && isTiny(domain.v)) return addAtFold(domain);
         if ((most - least).maxCoeff() <= tolerance_ || depth >= deepest || ++pieces_ >= mostPieces) {
             return addIfClose(middle);
         }
         halve(net, domain, left, depth);
+    }
+
+    // Here the map is folded over, and over so short a piece by a parabola.
+    static bool isTiny(const Interval& side) { return side.upper - side.lower <= 0x1p-20; }
+
+    // Newton's method from either side of a fold finds the zero on that side, if there is one.
+    void addAtFold(const PatchDomain& domain) {
+        for (const Real u : {domain.u.lower, domain.u.upper}) {
+            for (const Real v : {domain.v.lower, domain.v.upper}) addByNewton({u, v}, domain);
+        }
     }
 
     static Real middleOf(const Interval& domain, const Interval& part) {
@@ -247,13 +258,14 @@ private:
     // free of zeros, or Newton went astray, and halving it will tell.
     bool addByNewton(Vec2 uv, const PatchDomain& domain) {
         constexpr Real slack = 1e-9;
+        constexpr Real mostStray = 4;  // widths of the part
         constexpr int mostSteps = 12;
         for (int step = 0; step < mostSteps; ++step) {
             const PlaneJet jet = planeJet(uv);
             const Real determinant = crossOf(jet.du, jet.dv);
             const Vec2 move = -Vec2(crossOf(jet.value, jet.dv), crossOf(jet.du, jet.value)) / determinant;
             uv += move;
-            if (!contains(domain, uv, Real(0.5))) return false;
+            if (!contains(domain, uv, mostStray)) return false;
             if (move.lpNorm<Eigen::Infinity>() <= 4 * unitRoundoff) break;
         }
         const Vec2 inside = uv.cwiseMax(0).cwiseMin(1);

@@ -1,0 +1,31 @@
+#include <iostream>
+
+#include "chapter_inputs.h"
+#include "core/chapter.h"
+#include "figures.h"
+#include "print_roots.h"
+#include "profile_picture.h"
+
+int main(int argc, char** argv) {
+    using namespace caustic;
+    return runChapter(
+        thisChapter, argc, argv,
+        {
+            {"convergence", drawConvergence},
+            {"bodies", drawBodies},
+            {"teapot", drawTeapot},
+            {"miss_maps", drawMissMaps},
+            {"speed_accuracy", chartSpeedAccuracy, true},
+            {"failure", chartFailures},
+            {"quantity", tabulateQuantities},
+        },
+        {
+            {"--profile", "FILE", "Turn a profile (SVG or control points) around x = 0 and draw it to revolved.png",
+             [](const std::string& file, const ChapterOptions& options) { drawProfile(file, options); }},
+            {"--roots", "RAYS",
+             "Hold so many rays of each set against brute-force subdivision; print as JSON what was missed",
+             [](const std::string& rays, const ChapterOptions& options) {
+                 printRoots(rays, options.seed, options.threads, std::cout);
+             }},
+        });
+}

@@ -1,0 +1,54 @@
+#include <gtest/gtest.h>
+
+#include "root_examination.h"
+
+namespace caustic {
+namespace {
+
+constexpr int threads = 2;
+constexpr std::uint64_t seed = 1;
+
+// The reference shares no code with the library: see revolution_reference.h and patch_reference.h.
+void expectNothingMissed(const RootExamination& count, const std::string& set) {
+    SCOPED_TRACE(set);
+    EXPECT_EQ(count.misses, 0) << "of " << count.meetings << " meetings";
+    EXPECT_EQ(count.falseHits, 0);
+    EXPECT_EQ(count.nearest.front().failures, 0) << "of " << count.nearest.front().trials;
+    EXPECT_LE(count.worstDistance, 1e-12) << "of the size, inside the band of tangency too";
+}
+
+TEST(RevolutionRoots, RandomChordsLoseNothing) {
+    const RootExamination count = examineRevolution(0, 100'000, seed, threads);
+    expectNothingMissed(count, "random chords");
+    EXPECT_GT(count.meetings, 50'000);
+    EXPECT_LT(count.raysInBand, count.rays / 500);
+    for (std::size_t i = 1; i < count.nearest.size(); ++i) {
+        EXPECT_GT(count.nearest[i].failures, 0) << count.nearest[i].method << " must fail somewhere.";
+    }
+}
+
+class AdversarialRevolution : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(AdversarialRevolution, LosesNothing) {
+    expectNothingMissed(examineRevolution(GetParam(), 10'000, seed, threads), revolutionSetNames()[GetParam()]);
+}
+
+INSTANTIATE_TEST_SUITE_P(EverySet, AdversarialRevolution, testing::Range(std::size_t{1}, revolutionSetNames().size()));
+
+TEST(PatchRoots, RandomChordsLoseNothing) {
+    const RootExamination count = examinePatches(0, 100'000, seed, threads);
+    expectNothingMissed(count, "random chords");
+    EXPECT_GT(count.meetings, 10'000);
+    EXPECT_GT(count.nearest[1].failures, 0) << "A random start must fail somewhere.";
+}
+
+class AdversarialPatch : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(AdversarialPatch, LosesNothing) {
+    expectNothingMissed(examinePatches(GetParam(), 1'600, seed, threads), patchSetNames()[GetParam()]);
+}
+
+INSTANTIATE_TEST_SUITE_P(EverySet, AdversarialPatch, testing::Range(std::size_t{1}, patchSetNames().size()));
+
+}  // namespace
+}  // namespace caustic
