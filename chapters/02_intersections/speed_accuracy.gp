@@ -17,8 +17,8 @@ unset logscale x
 set xrange [0:*]
 set xlabel "time, ns per test"
 unset key
-set lmargin at screen 0.075
-set rmargin at screen 0.385
+set lmargin at screen 0.1
+set rmargin at screen 0.395
 plot for [i=1:4] file using (is(methods[i], "double") ? $3 : NaN):5 with points lt i ps 1.6 notitle, \
      for [i=1:4] file using (is(methods[i], "float") ? $3 : NaN):5 with points lt i pt (i == 1 ? 6 : i == 2 ? 4 : i == 3 ? 8 : 10) ps 1.4 notitle
 
@@ -28,7 +28,7 @@ set xrange [0.7:2e7]
 set xtics ("1" 1, "10" 10, "10^{2}" 1e2, "10^{3}" 1e3, "10^{4}" 1e4, "10^{5}" 1e5, "10^{6}" 1e6, "10^{7}" 1e7)
 set xlabel "distance from origin to sphere, radii"
 unset ylabel
-set lmargin at screen 0.44
+set lmargin at screen 0.455
 set rmargin at screen 0.75
 set key at screen 0.765, screen 0.84 left top Left reverse samplen 2
 plot for [i=1:4] file using (is(methods[i], "double") ? setting_number(strcol(2), "distance") : NaN):5 with linespoints lt i lw 2.5 ps 1.6 title methods[i], \
