@@ -22,7 +22,11 @@ using Json = nlohmann::json;
 // The real program, run as a user would in an empty folder.
 class Inspect : public testing::Test {
 protected:
+#ifdef __SANITIZE_ADDRESS__
+    static constexpr double mostMiB = 300;  // the sanitizer's zones around each block and its map of them come on top
+#else
     static constexpr double mostMiB = 200;
+#endif
 
     test::MeasuredRun inspect(const std::string& profile) const {
         fs::create_directories(folder_.path() / "empty");
