@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <assimp/Importer.hpp>
 #include <cctype>
-#include <exception>
+#include <fstream>
 #include <string>
 
 #include "core/error.h"
@@ -46,13 +46,29 @@ void append(const aiMesh& from, MeshData& mesh) {
     }
 }
 
+// assimp 5.2 reads on for ever where the header of a PLY file doesn't end.
+void checkPlyHeader(const std::filesystem::path& path) {
+    constexpr std::size_t longestHeader = std::size_t{1} << 20;
+    std::ifstream file(path, std::ios::binary);
+    std::string start(longestHeader, ' ');
+    file.read(start.data(), static_cast<std::streamsize>(start.size()));
+    start.resize(static_cast<std::size_t>(file.gcount()));
+    const std::size_t end = start.find("end_header");
+    if (end == std::string::npos || start.find('\n', end) == std::string::npos) {
+        throw InputError({path.string(), 0}, "", "has no end_header: no PLY file, or only its beginning");
+    }
+}
+
 MeshData loadByAssimp(const std::filesystem::path& path) {
     Assimp::Importer importer;
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     const unsigned steps = aiProcess_Triangulate | aiProcess_JoinIdenticalVertices | aiProcess_SortByPType |
                            aiProcess_PreTransformVertices;
     const aiScene* scene = importer.ReadFile(path.string(), steps);
-    if (scene == nullptr) throw InputError({path.string(), 0}, "", importer.GetErrorString());
+    if (scene == nullptr) {
+        const std::string reason = importer.GetErrorString();
+        throw InputError({path.string(), 0}, "", reason.substr(0, reason.find('\n')));
+    }
     MeshData mesh;
     for (unsigned i = 0; i < scene->mNumMeshes; ++i) append(*scene->mMeshes[i], mesh);
     if (mesh.triangles.empty()) throw InputError({path.string(), 0}, "", "has no triangle");
@@ -77,6 +93,7 @@ MeshData loadMesh(const std::filesystem::path& path) {
     if (extension == ".obj") return loadObj(path);
 
     checkReadable(path);
+    if (extension == ".ply") checkPlyHeader(path);
     MeshData mesh = loadByAssimp(path);
     try {
         checkMesh(mesh);

@@ -29,6 +29,9 @@ public:
     ObjReader(std::string_view text, const std::string& file) : text_(text), file_(file) {}
 
     MeshData read() {
+        if (text_.starts_with("\xff\xfe") || text_.starts_with("\xfe\xff"))
+            fail("", "is UTF-16; must be UTF-8 or ASCII");
+        if (text_.starts_with("\xef\xbb\xbf")) text_.remove_prefix(3);
         while (nextLine()) readStatement();
         checkForwardReferences();
         if (mesh_.triangles.empty()) throw InputError({file_, 0}, "", "has no face");

@@ -1,0 +1,87 @@
+"""libFuzzer on the OBJ and SVG readers, under the address and undefined-behaviour sanitizers: nothing may be found.
+
+Ten minutes each; --seconds N takes another time. What is new to a reader joins its corpus, which is committed. A find is left in
+build/fuzz/ and its file is named.
+"""
+
+import argparse
+import subprocess
+import sys
+from collections import namedtuple
+from pathlib import Path
+
+from course_lib.errors import CourseError
+from course_lib.packages import ensure_packages
+from course_lib.paths import BUILD, ROOT, shown
+from course_lib.terminal import Step, say
+
+HERE = Path(__file__).resolve().parent
+FOLDER = BUILD / "fuzz"
+Target = namedtuple("Target", "name sources libraries")
+TARGETS = (
+    Target("obj", ["shape/obj_file.cpp", "shape/polygon.cpp", "shape/mesh_data.cpp"], []),
+    Target("svg", ["curve/svg_document.cpp", "curve/svg_path_data.cpp", "curve/svg_transform.cpp", "curve/svg_arc.cpp",
+                   "curve/bezier_spline.cpp", "curve/bezier_curve.cpp", "curve/bernstein.cpp", "curve/curve_bounds.cpp",
+                   "curve/arc_length.cpp", "curve/gauss_legendre.cpp", "curve/profile_limits.cpp"], ["-lpugixml"]),
+)
+CORE = ["core/error.cpp", "core/text.cpp"]
+FLAGS = ["-std=c++20", "-O1", "-g", "-ffp-contract=off", "-fsanitize=fuzzer,address,undefined",
+         "-fno-sanitize-recover=all", "-isystem", "/usr/include/eigen3"]
+
+
+def options():
+    parser = argparse.ArgumentParser(prog="course bench fuzz", description=__doc__.partition("\n")[0])
+    parser.add_argument("--seconds", type=int, default=600, metavar="N", help="for each reader (600 by default)")
+    return parser.parse_args()
+
+
+def compiled(target):
+    executable = FOLDER / f"fuzz_{target.name}"
+    sources = [HERE / f"fuzz_{target.name}.cpp", *(ROOT / "common" / name for name in target.sources + CORE)]
+    command = ["clang++", *FLAGS, f"-I{ROOT / 'common'}", *sources, *target.libraries, "-o", executable]
+    finished = subprocess.run(command, capture_output=True, text=True)
+    if finished.returncode != 0:
+        raise CourseError(f"fuzz_{target.name}.cpp does not compile: {finished.stderr.strip().splitlines()[0]}")
+    return executable
+
+
+def fuzz(target, seconds):
+    """Whether nothing was found."""
+    with Step(f"compile the {target.name} reader for libFuzzer"):
+        executable = compiled(target)
+    corpus = HERE / f"corpus_{target.name}"
+    grown = FOLDER / f"corpus_{target.name}"
+    grown.mkdir(exist_ok=True)
+    log = FOLDER / f"fuzz_{target.name}.log"
+    command = [executable, f"-max_total_time={seconds}", "-max_len=16384", "-timeout=20", "-rss_limit_mb=2048",
+               f"-artifact_prefix={FOLDER}/", grown, corpus]
+    with Step(f"fuzz the {target.name} reader for {seconds} s"), log.open("w") as file:
+        code = subprocess.run(command, stdout=file, stderr=subprocess.STDOUT).returncode
+    lines = log.read_text(errors="replace").splitlines()
+    runs = next((line for line in reversed(lines) if line.startswith("Done ")), "")
+    say(f"{target.name}: {runs or 'stopped early'}; the whole log is {shown(log)}")
+    if code != 0:
+        finds = [line for line in lines if "ERROR" in line or "runtime error" in line or "Test unit written" in line]
+        say("\n".join(finds[:5]))
+        return False
+    merge = [executable, "-merge=1", "-max_len=2048", corpus, grown]
+    subprocess.run(merge, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    say(f"{target.name}: {len(list(corpus.iterdir()))} files in {shown(corpus)}")
+    return True
+
+
+def main():
+    chosen = options()
+    if chosen.seconds < 1:
+        raise CourseError(f"--seconds {chosen.seconds}: must be at least 1")
+    ensure_packages("bench")
+    FOLDER.mkdir(parents=True, exist_ok=True)
+    results = [fuzz(target, chosen.seconds) for target in TARGETS]
+    return 0 if all(results) else 1
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main())
+    except CourseError as error:
+        sys.exit(f"fuzz: {error}")

