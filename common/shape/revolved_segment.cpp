@@ -300,23 +300,43 @@ private:
         if (reachesLine(u)) addRoot(u, side);
     }
 
-    // Roots that f can't tell apart, within a tiny piece over which each factor turns at most once.
+    // How near the profile is to where its circle just reaches a leaning line; the root of the factors begins there.
+    Real beyondLine(Real u) const { return std::abs(profileAt(u).x.value) - ray_.near; }
+
+    // Roots that f can't tell apart, within a tiny piece. Where it crosses the place from which the circles reach the
+    // line (near a pole, say), only the part beyond counts.
     void addByFactors(Real low, Real high) {
-        for (const Real side : {Real(-1), Real(1)}) {
-            const bool falling = factorAt(low, side).slope < 0;
-            if (falling == (factorAt(high, side).slope < 0)) {
-                addBySigns(low, high, side);
-                continue;
-            }
+        if (ray_.leaning && (beyondLine(low) <= 0) != (beyondLine(high) <= 0)) {
+            const bool lowReaches = beyondLine(low) > 0;
             Real a = low;
             Real b = high;
             for (int i = 0; i < 60 && b - a > 2 * unitRoundoff; ++i) {
                 const Real middle = a + (b - a) / 2;
-                ((factorAt(middle, side).slope < 0) == falling ? a : b) = middle;
+                ((beyondLine(middle) > 0) == lowReaches ? a : b) = middle;
             }
-            addBySigns(low, a, side);
-            addBySigns(a, high, side);
+            // The end on the near side, where the factors are still flat h; just beyond it r shoots up.
+            for (const Real side : {Real(-1), Real(1)}) {
+                if (lowReaches) addTurning(low, b, side, factorAt(low, side).slope < 0, side * ray_.rise < 0);
+                if (!lowReaches) addTurning(a, high, side, side * ray_.rise > 0, factorAt(high, side).slope < 0);
+            }
+            return;
         }
+        for (const Real side : {Real(-1), Real(1)}) {
+            addTurning(low, high, side, factorAt(low, side).slope < 0, factorAt(high, side).slope < 0);
+        }
+    }
+
+    // The roots of a factor that turns at most once within the piece, falling at its ends or not.
+    void addTurning(Real low, Real high, Real side, bool fallingAtLow, bool fallingAtHigh) {
+        if (fallingAtLow == fallingAtHigh) return addBySigns(low, high, side);
+        Real a = low;
+        Real b = high;
+        for (int i = 0; i < 60 && b - a > 2 * unitRoundoff; ++i) {
+            const Real middle = a + (b - a) / 2;
+            ((factorAt(middle, side).slope < 0) == fallingAtLow ? a : b) = middle;
+        }
+        addBySigns(low, a, side);
+        addBySigns(a, high, side);
     }
 
     const RevolvedSegment& segment_;
