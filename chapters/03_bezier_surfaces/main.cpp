@@ -3,6 +3,7 @@
 #include "chapter_inputs.h"
 #include "core/chapter.h"
 #include "figures.h"
+#include "print_lathe.h"
 #include "print_roots.h"
 #include "profile_picture.h"
 
@@ -27,5 +28,7 @@ int main(int argc, char** argv) {
              [](const std::string& rays, const ChapterOptions& options) {
                  printRoots(rays, options.seed, options.threads, std::cout);
              }},
+            {"--lathe", "WIDTH", "Time a picture's rays at a vase; print as JSON how long they took and what they hit",
+             [](const std::string& width, const ChapterOptions&) { printLathe(width, std::cout); }},
         });
 }

@@ -344,6 +344,12 @@ private:
     RevolvedSegment::Roots& roots_;
 };
 
+RevolvedSegment::ProfilePoint RevolvedSegment::profileAt(Real u) const {
+    const Jet x = evaluateAny(x_.data(), degree(), u);
+    const Jet y = evaluateAny(y_.data(), degree(), u);
+    return {{x.value, y.value}, {x.slope, y.slope}};
+}
+
 RevolvedSegment::Roots RevolvedSegment::roots(const AxisRay& ray) const {
     Roots roots;
     if (!std::isfinite(ray.tBase) || !std::isfinite(ray.near)) return roots;

@@ -74,6 +74,16 @@ public:
     /// that touches it, up to rounding, nowhere or twice. None for a line that is not finite.
     Roots roots(const AxisRay& ray) const;
 
+    /// A point of the profile and its derivative by u.
+    struct ProfilePoint {
+        Vec2 position;
+        Vec2 derivative;
+    };
+
+    /// The profile at u in [0, 1], by de Casteljau's algorithm; its ends are the first and the last control point
+    /// exactly.
+    ProfilePoint profileAt(Real u) const;
+
     /// Of the profile.
     int degree() const { return static_cast<int>(x_.size()) - 1; }
 

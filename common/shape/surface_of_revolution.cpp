@@ -105,14 +105,12 @@ SurfaceJet SurfaceOfRevolution::jetAt(const Place& place, Real v) const {
 
 // outward: unit vector in x and z from the axis to the point.
 Vec3 SurfaceOfRevolution::normalAt(const Place& place, const Vec2& outward) const {
-    const BezierCurve& curve = profile_[place.segment];
-    const Real x = curve.position(place.u).x();
-    Vec3 way = curve.derivative(place.u);
-    way.z() = 0;
+    const RevolvedSegment::ProfilePoint profile = segments_[place.segment].profileAt(place.u);
+    const Real x = profile.position.x();
+    Vec2 way = profile.derivative;
     // Below this the derivative is rounding: a cusp, or coincident control points.
     if (way.norm() <= 64 * std::numeric_limits<Real>::epsilon() * magnitude_) {
-        way = curve.tangent(place.u).value_or(Vec3::UnitY());
-        way.z() = 0;
+        way = profile_[place.segment].tangent(place.u).value_or(Vec3::UnitY()).head<2>();
     }
     way.normalize();
     // A profile that has crossed the axis has its outside on its left.
@@ -127,13 +125,12 @@ bool SurfaceOfRevolution::canMeet(const Ray& ray) const { return mayMeet(bounds_
 
 Hit SurfaceOfRevolution::hitAt(const Ray& ray, const Place& place, Real t) const {
     const Vec3 near = ray.at(t);
-    const Vec3 position = profile_[place.segment].position(place.u);
+    const auto [position, derivative] = segments_[place.segment].profileAt(place.u);
     const Real sign = position.x() < 0 ? -1 : 1;
     const Real distance = std::hypot(near.x(), near.z());
     const Vec2 outward = distance > 0 ? Vec2(near.x() / distance, near.z() / distance) : Vec2(Vec2::UnitX());
     const Real v = std::atan2(sign * outward.y(), sign * outward.x()) / turn;
 
-    const SurfaceJet jet = jetAt(place, v);
     Hit hit;
     const Real radius = std::abs(position.x());
     hit.point = {radius * outward.x(), position.y(), radius * outward.y()};
@@ -142,8 +139,10 @@ Hit SurfaceOfRevolution::hitAt(const Ray& ray, const Place& place, Real t) const
     hit.uv = {(static_cast<Real>(place.segment) + place.u) / static_cast<Real>(profile_.size()), v < 0 ? v + 1 : v};
     hit.magnitude = magnitude_;
     hit.t = t;
-    hit.dpdu = jet.du;
-    hit.dpdv = jet.dv;
+    // As jetAt, but the ray's point has the cosine and the sine already.
+    const Vec2 way = derivative * static_cast<Real>(profile_.size());
+    hit.dpdu = {sign * way.x() * outward.x(), way.y(), sign * way.x() * outward.y()};
+    hit.dpdv = turn * radius * Vec3(-outward.y(), 0, outward.x());
     return hit;
 }
 
