@@ -96,13 +96,15 @@ TEST(DirectLight, MoreSamplesMeanTheSameLight) {
     }
 }
 
-// The lamp hangs in a tinted medium of index 1 that no surface bounds: e^(−σ d) of its light arrives.
+// The lamp hangs in a tinted medium of index 1 that no surface bounds, one metre above the floor: e^(−σ) of its light
+// arrives.
 TEST(DirectLight, IsAbsorbedOnItsWay) {
     SceneObject fog;
     fog.shape = std::make_shared<Box>(Vec3(-9, -1, -9), Vec3(9, 9, 9));
     fog.interior = Interior{1, std::make_shared<AbsorbingMedium>(Color::Constant(0.7)), 0};
-    const Scene scene({{whiteFloor(), fog}, {pointLight()}, Color::Zero(), nullptr});
-    EXPECT_NEAR(directAt(scene, {Vec3(0, 1, 0), -Vec3::UnitY()}, {}, 0), std::exp(-1.4), 1e-12)
+    const auto lamp = std::make_shared<PointLight>(Vec3::UnitY(), Color::Constant(pi));
+    const Scene scene({{whiteFloor(), fog}, {lamp}, Color::Zero(), nullptr});
+    EXPECT_NEAR(directAt(scene, {Vec3(0, 0.5, 0), -Vec3::UnitY()}, {}, 0), std::exp(-0.7), 1e-10)
         << "What does the shadow ray pass through, from the point to the lamp?";
 }
 
