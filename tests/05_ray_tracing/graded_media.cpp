@@ -8,16 +8,6 @@ namespace {
 const Interior glass = {1.5, nullptr, 0};
 const Interior drink = {1.33, nullptr, 1};
 
-// Into the glass, and out of it.
-TEST(Media, InAndOutLeadsBackToEmptySpace) {
-    const Crossing in = crossBoundary({}, 0, glass, true);
-    EXPECT_EQ(in.before.ior(), 1);
-    EXPECT_EQ(in.after.ior(), 1.5);
-    const Crossing out = crossBoundary(in.after, 0, glass, false);
-    EXPECT_EQ(out.before.ior(), 1.5);
-    EXPECT_EQ(out.after.ior(), 1) << "Is the object that was left still remembered?";
-}
-
 // Into the glass, into the drink that reaches into it, out of the glass: that boundary is hidden in the drink.
 TEST(Media, ABoundaryInsideSomethingOfHigherPriorityDoesNotCount) {
     const MediumStack inGlass = crossBoundary({}, 0, glass, true).after;

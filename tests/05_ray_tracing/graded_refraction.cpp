@@ -37,6 +37,7 @@ TEST(Refraction, LightGoesOnToTheOtherSide) {
         ASSERT_TRUE(wi);
         EXPECT_LT(wi->dot(n), 0) << "Does wi point away from the surface, on the side that wo isn't on?";
         EXPECT_NEAR(wi->dot(wo.cross(n)), 0, 1e-14);
+        EXPECT_LE((wo - wo.dot(n) * n).dot(*wi), 0) << "Does light cross the normal, or turn back at it?";
     }
 }
 
