@@ -4,7 +4,7 @@ file = folder."/speed_accuracy.csv"
 array methods[5] = ["random starts", "4x4 starts", "bracketing starts", "triangles", "robust"]
 wrong(perMillion) = perMillion > 0 ? perMillion : 0.3
 set datafile missing NaN
-set title "A ray and a vase of four cubics: speed and wrong answers\n{/*0.75 rays whose nearest meeting is lost, invented or displaced by more than a thousandth of the size;\nrandom chords, held against brute-force subdivision; numbers are starts, samples a segment and tolerances}" font ",20"
+set title "A ray and a vase of four cubics: speed and wrong answers\n{/*0.75 rays whose nearest meeting is lost, invented or displaced by more than a thousandth of the size;}\n{/*0.75 random chords, held against brute-force subdivision; numbers are starts, samples a segment and tolerances}" font ",20"
 set logscale xy
 set yrange [0.15:1e6]
 set ytics ("none" 0.3, "1" 1, "10" 10, "10^{2}" 100, "10^{3}" 1e3, "10^{4}" 1e4, "10^{5}" 1e5, "10^{6}" 1e6)
