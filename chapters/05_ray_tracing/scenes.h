@@ -31,7 +31,7 @@ SceneObject ballOnFloor(std::shared_ptr<const Material> material);
 SceneDescription boxScene(int width, int height);
 
 /// A shape whose lowest point is at y = 0, in glass or any other material, on a white floor under a lamp.
-/// @param size  of the shape: its bounding sphere's radius; the camera stands accordingly
+/// The camera stands as far away as the shape's box wants.
 SceneDescription meshScene(const SceneObject& object, int width, int height);
 
 }  // namespace caustic

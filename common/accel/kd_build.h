@@ -70,10 +70,12 @@ struct KdEvent {
     /// @param number  less than 2³⁰
     KdEvent(Scalar place, std::uint32_t number, Kind what) : at(place), word(number << 2 | what) {}
 
+    /// The item whose box it is.
     std::uint32_t item() const { return word >> 2; }
+    /// What happens there.
     Kind kind() const { return Kind{word & 3}; }
 
-    Scalar at;
+    Scalar at;           ///< the place along the axis
     std::uint32_t word;  ///< item and kind
 
     /// By place, then by kind: what ends comes before what starts.

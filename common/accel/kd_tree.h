@@ -20,7 +20,7 @@ struct KdRay {
     /// When the ray crosses the plane.
     Real crossing(Real plane, std::uint32_t axis) const { return (plane - origin[axis]) * inverse[axis]; }
 
-    Vec3 origin;
+    Vec3 origin;   ///< the ray's
     Vec3 inverse;  ///< of the direction; where that is zero, of a tiny number, so that it is finite
 
     /// By how much a crossing may be off: rounding here, and in the test of an item that accepts a ray which misses it

@@ -13,10 +13,10 @@ struct TreeRay {
     /// From t = 0 to tMax.
     TreeRay(const std::array<float, 3>& from, const std::array<float, 3>& along, float most);
 
-    std::array<float, 3> origin;
-    std::array<float, 3> direction;
-    std::array<float, 3> inverse;  ///< 1 / direction; where that is next to zero, huge but finite
-    float tMax;
+    std::array<float, 3> origin;     ///< where t = 0
+    std::array<float, 3> direction;  ///< of unit length
+    std::array<float, 3> inverse;    ///< 1 / direction; where that is next to zero, huge but finite
+    float tMax;                      ///< nothing beyond it counts
 };
 
 /// How far from its true place a TreeRay may be when a node is tested against it, as long as t is at most 8: the

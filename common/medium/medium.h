@@ -27,7 +27,7 @@ public:
 
     /// Picks where along the ray, before t = tEnd, light is scattered next; nothing when it gets that far without, and
     /// nothing ever in a medium that doesn't scatter.
-    /// @param u  a uniform number in [0, 1)
+    /// The last argument is a uniform number in [0, 1).
     virtual std::optional<DistanceSample> sampleDistance(const Ray&, Real /*tEnd*/, Real /*u*/) const {
         return std::nullopt;
     }

@@ -25,6 +25,7 @@ public:
     std::optional<MeshHit> intersect(const Ray& ray) const override;
     bool occluded(const Ray& ray) const override;
     std::optional<MeshHit> intersectCounted(const Ray& ray, MeshWork& work) const override;
+    /// What the tree takes.
     MeshTreeSize size() const override;
 
 private:

@@ -14,6 +14,7 @@ public:
     std::optional<MeshHit> intersect(const Ray& ray) const override;
     bool occluded(const Ray& ray) const override;
     std::optional<MeshHit> intersectCounted(const Ray& ray, MeshWork& work) const override;
+    /// What the tree takes.
     MeshTreeSize size() const override { return {}; }
 
 private:
@@ -30,6 +31,7 @@ public:
     std::optional<MeshHit> intersect(const Ray& ray) const override;
     bool occluded(const Ray& ray) const override;
     std::optional<MeshHit> intersectCounted(const Ray& ray, MeshWork& work) const override;
+    /// What the tree takes.
     MeshTreeSize size() const override;
 
     /// Its planes: to be drawn. Items are indices of trianglesWithArea.

@@ -18,13 +18,13 @@ struct MeshData {
     /// Stands for a normal or a uv that a corner doesn't have.
     static constexpr std::uint32_t none = 0xffffffffU;
 
-    std::vector<Vec3> positions;
-    std::vector<Corners> triangles;
+    std::vector<Vec3> positions;     ///< of the corners
+    std::vector<Corners> triangles;  ///< by numbers of positions
 
     std::vector<Vec3> normals;           ///< of any length; a zero one counts as none
     std::vector<Corners> normalCorners;  ///< empty, or one for each triangle
 
-    std::vector<Vec2> uvs;
+    std::vector<Vec2> uvs;           ///< surface coordinates
     std::vector<Corners> uvCorners;  ///< empty, or one for each triangle
 
     /// The positions of a triangle's corners.

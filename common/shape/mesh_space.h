@@ -43,6 +43,7 @@ public:
     /// The t of the tree's ray at which the given one has t, rounded up.
     float toTree(Real t) const { return static_cast<float>((t * length_ - start_) * (1 + 1e-6)); }
 
+    /// The same ray in the tree's coordinates.
     TreeRay tree;
 
 private:

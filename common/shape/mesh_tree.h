@@ -65,6 +65,7 @@ public:
     /// The same as intersect, and what it cost is added to `work`.
     virtual std::optional<MeshHit> intersectCounted(const Ray& ray, MeshWork& work) const = 0;
 
+    /// What the tree takes.
     virtual MeshTreeSize size() const = 0;
 };
 

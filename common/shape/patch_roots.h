@@ -21,9 +21,9 @@ struct PlaneNet {
     /// Of a patch in each direction; more is refused.
     static constexpr int highestDegree = 9;
 
-    int degreeU;
-    int degreeV;
-    std::array<std::array<Vec2, highestDegree + 1>, highestDegree + 1> point;
+    int degreeU;                                                               ///< in u, at least 1
+    int degreeV;                                                               ///< in v, at least 1
+    std::array<std::array<Vec2, highestDegree + 1>, highestDegree + 1> point;  ///< the control points
 };
 
 /// A part of a patch's domain.

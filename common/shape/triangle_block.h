@@ -36,8 +36,8 @@ struct alignas(32) TriangleBlock {
 struct Ray8 {
     explicit Ray8(const TreeRay& ray);
 
-    Float8 origin[3];
-    Float8 direction[3];
+    Float8 origin[3];     ///< a component in all lanes
+    Float8 direction[3];  ///< likewise
 };
 
 /// What the test of a block found.

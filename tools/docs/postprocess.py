@@ -14,6 +14,9 @@ NAVIGATION_PATH = re.compile(r'<li class="navelem">.*?>([^<]+)</(?:a|b)>')
 EMPTY_TABLE_HEAD = re.compile(r'<tr class="markdownTableHead">\s*(<th class="[^"]*">\s*</th>)+</tr>')
 # Doxygen offers to jump to a class's nested classes even if all of them are private, and so not listed.
 NESTED_CLASSES = '<a href="#nested-classes">Classes</a> &#124;'
+# Doxygen takes functions of one name in two programs for one, and then mixes up in which file which line is.
+LINE_ANCHOR = re.compile(r'(?:id|name)="(l\d{5})"')
+SOURCE_LINE = re.compile(r'href="((\w+_source\.html)#(l\d{5}))"')
 CODE_SPAN = re.compile(r"<code>([^<]+)</code>(?!</a>)")
 FRAGMENT = re.compile(r'<div class="fragment">.*?</div><!-- fragment -->', re.DOTALL)
 FRAGMENT_WORD = re.compile(r"(<[^>]*>)|\b([A-Z]\w+)\b")
@@ -59,8 +62,11 @@ class Finisher:
 
     def finish(self, lessons):
         """All pages; in `lessons`, the pages from Markdown, names in code become links too."""
+        lines = {page.name: set(LINE_ANCHOR.findall(page.read_text(encoding="utf-8")))
+                 for page in self._folder.glob("*_source.html")}
         for path in sorted(self._folder.glob("*.html")):
             text = before = path.read_text(encoding="utf-8")
+            text = SOURCE_LINE.sub(lambda link: source_link(link, lines), text)
             text = TREE_LINK.sub(self._tree_link, text)
             if 'name="nested-classes"' not in text:
                 text = text.replace(NESTED_CLASSES, "")
@@ -102,6 +108,12 @@ class Finisher:
             return f'<a class="code" href="{self._symbols.api[word]}">{word}</a>'
 
         return FRAGMENT_WORD.sub(link, matched[0])
+
+
+def source_link(link, lines):
+    """A link to a line of a source page; to the page alone when it has no such line."""
+    page, line = link[2], link[3]
+    return link[0] if line in lines.get(page, ()) else f'href="{page}"'
 
 
 def served_name(path):
