@@ -1,0 +1,22 @@
+#include "material/conductor_bsdf.h"
+
+#include "material/directions.h"
+#include "material/fresnel.h"
+
+namespace caustic {
+
+std::optional<BsdfSample> ConductorBsdf::localSample(const Vec3& wo, const Vec2&, Real, Real eta) const {
+    const DeltaLobes all = localDeltaLobes(wo, eta);
+    if (all.count == 0) return std::nullopt;
+    return all.lobe[0];
+}
+
+DeltaLobes ConductorBsdf::localDeltaLobes(const Vec3& wo, Real) const {
+    DeltaLobes all;
+    // Seen from behind ns, where only ng says that this is the front: no direction there is right.
+    if (wo.z() < 0) return all;
+    all.add({reflected(wo, Vec3::UnitZ()), fresnelConductor(wo.z(), metal_.eta, metal_.k), 1, 1, lobes()});
+    return all;
+}
+
+}  // namespace caustic

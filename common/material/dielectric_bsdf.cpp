@@ -1,0 +1,36 @@
+#include "material/dielectric_bsdf.h"
+
+#include "core/not_implemented.h"
+#include "material/directions.h"
+#include "material/fresnel.h"
+
+namespace caustic {
+
+std::optional<BsdfSample> DielectricBsdf::localSample(const Vec3& wo, const Vec2&, Real uLobe, Real eta) const {
+    Real upTo = 0;
+    for (const BsdfSample& one : localDeltaLobes(wo, eta)) {
+        upTo += one.pdfW;
+        if (uLobe < upTo) return one;
+    }
+    return std::nullopt;
+}
+
+DeltaLobes DielectricBsdf::localDeltaLobes(const Vec3& wo, Real eta) const {
+    //! [ex-06.3]
+    DeltaLobes all;
+    // Seen from behind ns, where only ng says that this is the front: no direction there is right.
+    if (wo.z() < 0) return all;
+    const auto through = refracted(wo, Vec3::UnitZ(), eta);
+    const Real reflects = through ? fresnelDielectric(wo.z(), eta) : 1;
+    const Real transmits = 1 - reflects;
+    // A share for each in energy, which is also how often it is chosen.
+    if (reflects > 0)
+        all.add({reflected(wo, Vec3::UnitZ()), Color::Constant(reflects), reflects, 1,
+                 LobeFlags::Delta | LobeFlags::Reflection});
+    if (transmits > 0)
+        all.add({*through, Color::Constant(transmits), transmits, eta, LobeFlags::Delta | LobeFlags::Transmission});
+    return all;
+    //! [ex-06.3]
+}
+
+}  // namespace caustic
