@@ -2,7 +2,7 @@
 #include "mesh_shape.h"
 #include "picture.h"
 #include "scenes.h"
-#include "tiles.h"
+#include "image/tiles.h"
 
 namespace caustic {
 

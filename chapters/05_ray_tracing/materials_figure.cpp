@@ -4,7 +4,7 @@
 #include "picture.h"
 #include "scenes.h"
 #include "texture/constant_texture.h"
-#include "tiles.h"
+#include "image/tiles.h"
 
 namespace caustic {
 

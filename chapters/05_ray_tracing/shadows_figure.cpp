@@ -6,7 +6,7 @@
 #include "scenes.h"
 #include "shape/rectangle.h"
 #include "texture/constant_texture.h"
-#include "tiles.h"
+#include "image/tiles.h"
 
 namespace caustic {
 

@@ -11,15 +11,15 @@ namespace {
 
 constexpr std::size_t mostPathsAtOnce = std::size_t{1} << 16;
 
-void addPass(const Integrator& integrator, const std::vector<PathId>& paths, int threads, Rendering& rendering) {
+}  // namespace
+
+void addPass(const Integrator& integrator, std::span<const PathId> paths, int threads, Rendering& rendering) {
     const PassBuffer buffer = integrator.runPass(paths, threads);
     for (std::size_t i = 0; i < paths.size(); ++i) rendering.film.add(paths[i].pixel, paths[i].index, buffer.values[i]);
     for (const Splat& splat : buffer.splats) rendering.film.splat(splat.film, splat.value, integrator.filter());
     rendering.film.countSplatPaths(static_cast<std::int64_t>(paths.size()));
     rendering.counts += buffer.counts;
 }
-
-}  // namespace
 
 Rendering render(const Integrator& integrator, std::int64_t samples, int threads, Progress* progress) {
     checkArgument(samples >= 1, "samples a pixel", std::to_string(samples), "must be at least 1");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "camera/film.h"
 #include "integrator/integrator.h"
@@ -14,6 +15,9 @@ struct Rendering {
     Film film;
     RayCounts counts;
 };
+
+/// Runs one pass and adds what it brings.
+void addPass(const Integrator& integrator, std::span<const PathId> paths, int threads, Rendering& rendering);
 
 /// Renders every pixel with the same number of paths, some rows at a time, so that memory stays bounded.
 /// @param samples   paths a pixel, at least 1

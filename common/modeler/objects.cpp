@@ -1,0 +1,31 @@
+#include "modeler/objects.h"
+
+#include "material/dielectric_material.h"
+#include "material/diffuse_material.h"
+#include "material/mirror_material.h"
+#include "shape/rectangle.h"
+#include "shape/sphere.h"
+#include "texture/constant_texture.h"
+
+namespace caustic {
+
+SceneObject diffuseRectangle(const Vec3& corner, const Vec3& edgeU, const Vec3& edgeV, const Color& reflectance) {
+    return {
+        std::make_shared<Rectangle>(corner, edgeU, edgeV), std::make_shared<DiffuseMaterial>(reflectance), {}, nullptr};
+}
+
+SceneObject rectangleLamp(const Vec3& corner, const Vec3& edgeU, const Vec3& edgeV, const Color& radiance) {
+    return {
+        std::make_shared<Rectangle>(corner, edgeU, edgeV), nullptr, {}, std::make_shared<ConstantTexture>(radiance)};
+}
+
+SceneObject mirrorBall(const Vec3& center, Real radius) {
+    return {std::make_shared<Sphere>(center, radius), std::make_shared<MirrorMaterial>(Color::Ones()), {}, nullptr};
+}
+
+SceneObject glassBall(const Vec3& center, Real radius, Real ior) {
+    return {std::make_shared<Sphere>(center, radius), std::make_shared<DielectricMaterial>(), Interior{ior, nullptr, 0},
+            nullptr};
+}
+
+}  // namespace caustic
