@@ -8,8 +8,13 @@ namespace caustic {
 
 namespace {
 
-constexpr std::uint64_t eyeStream = 0;
 constexpr std::int64_t pathsPerItem = 64;  // so that threads have something to do between asking for more
+
+// What a run of paths brings, in their order.
+struct ItemResult {
+    std::vector<Splat> splats;
+    RayCounts counts;
+};
 
 }  // namespace
 
@@ -18,24 +23,33 @@ PassBuffer Integrator::runPass(std::span<const PathId> paths, int threads) const
     buffer.values.resize(paths.size());
     const std::int64_t count = static_cast<std::int64_t>(paths.size());
     const std::int64_t items = (count + pathsPerItem - 1) / pathsPerItem;
-    std::vector<RayCounts> counts(static_cast<std::size_t>(items));
-    const Camera& camera = scene_->camera();
-    const bool lens = scene_->needs().lens;
+    std::vector<ItemResult> results(static_cast<std::size_t>(items));
     parallelFor(items, threads, [&](std::int64_t item) {
-        RayCounts& own = counts[static_cast<std::size_t>(item)];
+        ItemResult& own = results[static_cast<std::size_t>(item)];
         const std::int64_t end = std::min(count, (item + 1) * pathsPerItem);
         for (std::int64_t i = item * pathsPerItem; i < end; ++i) {
-            const PathId& path = paths[static_cast<std::size_t>(i)];
-            const PathNumbers numbers = sampler_->start(eyeStream, path.pixel, path.index);
-            const Vec2 centre(path.pixel.x + 0.5, path.pixel.y + 0.5);
-            const Vec2 film = centre + filter_->sample(numbers.pair(Dimension::film()));
-            own.lensSamples += lens ? 1 : 0;
-            const Ray ray = camera.sampleRay(film, lens ? numbers.pair(Dimension::lens()) : Vec2(0.5, 0.5));
-            buffer.values[static_cast<std::size_t>(i)] = Li(ray, scene_->cameraMedia(), numbers, own);
+            const auto at = static_cast<std::size_t>(i);
+            buffer.values[at] = tracePath(paths[at], own.splats, own.counts);
         }
     });
-    for (const RayCounts& own : counts) buffer.counts += own;
+    for (const ItemResult& own : results) {
+        buffer.splats.insert(buffer.splats.end(), own.splats.begin(), own.splats.end());
+        buffer.counts += own.counts;
+    }
     return buffer;
+}
+
+Color Integrator::tracePath(const PathId& path, std::vector<Splat>&, RayCounts& counts) const {
+    const PathNumbers numbers = sampler_->start(eyeStream, path.pixel, path.index);
+    return Li(eyeRay(path, numbers, counts), scene_->cameraMedia(), numbers, counts);
+}
+
+Ray Integrator::eyeRay(const PathId& path, const PathNumbers& numbers, RayCounts& counts) const {
+    const bool lens = scene_->needs().lens;
+    const Vec2 centre(path.pixel.x + 0.5, path.pixel.y + 0.5);
+    const Vec2 film = centre + filter_->sample(numbers.pair(Dimension::film()));
+    counts.lensSamples += lens ? 1 : 0;
+    return scene_->camera().sampleRay(film, lens ? numbers.pair(Dimension::lens()) : Vec2(0.5, 0.5));
 }
 
 }  // namespace caustic

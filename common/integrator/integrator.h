@@ -50,10 +50,26 @@ public:
     /// @param threads  at least 1
     virtual PassBuffer runPass(std::span<const PathId> paths, int threads) const;
 
+    /// Traces one path: the value of its pixel. What it brings to any other place of the film is appended to `splats`.
+    /// @param counts  what was asked of the scene is added
+    virtual Color tracePath(const PathId& path, std::vector<Splat>& splats, RayCounts& counts) const;
+
     /// What is rendered.
     const Scene& scene() const { return *scene_; }
     /// How pixels weigh the film.
     const PixelFilter& filter() const { return *filter_; }
+
+protected:
+    /// Streams of numbers: of what starts at the eye, and of what starts at a light.
+    static constexpr std::uint64_t eyeStream = 0;
+    static constexpr std::uint64_t lightStream = 1;
+
+    /// Where random numbers come from.
+    const Sampler& sampler() const { return *sampler_; }
+
+    /// The ray that a path starts with at the eye: a point of the film, picked by the pixel filter, and one of the
+    /// lens.
+    Ray eyeRay(const PathId& path, const PathNumbers& numbers, RayCounts& counts) const;
 
 private:
     const Scene* scene_;

@@ -48,6 +48,8 @@ std::optional<DirectSample> AreaLight::sampleDirect(const SurfacePoint& from, co
     //! [ex-05.5]
 }
 
+SurfacePoint AreaLight::directPoint(const Vec2& u) const { return shape_->sampleArea(u)->at; }
+
 Real AreaLight::pdfW(const Vec3& from, const SurfacePoint& on) const {
     const Vec3 way = on.point - from;
     const Real squared = way.squaredNorm();

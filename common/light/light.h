@@ -57,6 +57,11 @@ public:
     /// @return nothing when no light comes from there; never a zero pdf
     virtual std::optional<DirectSample> sampleDirect(const SurfacePoint& from, const Vec2& u) const = 0;
 
+    /// The point of the light's surface that sampleDirect picks with these numbers, whatever point it is asked from; of
+    /// a light without a surface nothing is to be known. sampleDirect and sampleEmission pick it with the same density;
+    /// so they do the direction of a light that is infinitely far away.
+    virtual SurfacePoint directPoint(const Vec2& u) const;
+
     /// Density over solid angle with which sampleDirect picks the direction from a point to a point of the light's
     /// surface, 1/sr; 0 when it has none.
     virtual Real pdfW(const Vec3& from, const SurfacePoint& on) const;

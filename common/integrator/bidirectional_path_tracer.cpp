@@ -1,0 +1,244 @@
+#include "integrator/bidirectional_path_tracer.h"
+
+#include "integrator/camera_connection.h"
+#include "integrator/density_walk.h"
+#include "integrator/light_start.h"
+#include "integrator/vertex_connection.h"
+#include "integrator/walk.h"
+
+namespace caustic {
+
+namespace {
+
+constexpr LobeFlags spread = LobeFlags::Diffuse | LobeFlags::Glossy;
+
+bool spreads(const Interaction& at) { return at.bsdf() != nullptr && anyOf(at.bsdf()->lobes(), spread); }
+
+// Whether a walk can find the light by chance.
+bool canBeHit(const Light& light) { return !light.deltaPlace() && !light.deltaDirection(); }
+
+// Density of the walk that starts with this sample, at its first vertex, the light.
+DensityWalk startOf(const LightStart& start) {
+    const EmissionSample& emission = start.emission;
+    const Light& light = *start.light.light;
+    const Real cosine = std::max(std::abs(emission.ng.dot(emission.ray.direction)), Real(1e-60));
+    PathDensity first;
+    first.open = canBeHit(light) ? 1 : 0;
+    if (light.infinite()) {
+        // The first vertex is a direction, the second one is picked by the place.
+        first.forward = start.light.probability * emission.pdfW;
+        return {first, {emission.pdfA, 1, false}, std::nullopt, 1};
+    }
+    first.forward = start.light.probability * emission.pdfA;
+    return {first, {emission.pdfW, 1, false}, emission.ray.origin, cosine};
+}
+
+// The same for the eye. It can't be hit by chance; and what it can't splat to, no walk from a light ends at.
+DensityWalk startOf(const Ray& ray, Real pdfW) {
+    PathDensity first;
+    first.open = 0;
+    const bool onFilm = pdfW > 0;
+    return {first, {onFilm ? pdfW : 1, 1, !onFilm}, ray.origin, 1};
+}
+
+}  // namespace
+
+struct BidirectionalPathTracer::LightVertex {
+    PathVertex vertex;
+    PathDensity density;
+    int s = 0;  // vertices from the light, this one included
+};
+
+// The walk from the light, and what has been made of both walks so far.
+struct BidirectionalPathTracer::Subpaths {
+    std::vector<LightVertex> light;
+    std::vector<StrategyContribution> contributions;
+};
+
+// Keeps the vertices of a walk from a light, and splats them.
+class BidirectionalPathTracer::LightVisitor {
+public:
+    LightVisitor(const Scene& scene, const LightStart& start, const PathNumbers& numbers, bool splat, RayCounts& counts,
+                 Subpaths& found)
+        : scene_(scene), numbers_(numbers), counts_(counts), found_(found), walk_(startOf(start)), splat_(splat) {}
+
+    bool reached(const Interaction& at, const WalkState& path) {
+        if (at.bsdf() == nullptr) return false;
+        walk_.reach(at);
+        if (!spreads(at)) return true;
+        if (splat_) splat(at, path);
+        found_.light.push_back({{at, path.beta}, walk_.density(), path.length + 1});
+        return true;
+    }
+
+    void scattered(const Interaction& at, const BsdfSample& sample) { walk_.scatter(at, sample); }
+    void escaped(const WalkState&) {}
+
+private:
+    // (s, 1)
+    void splat(const Interaction& at, const WalkState& path) {
+        const auto seen = connectToCamera(scene_, at, path.beta, path.length - 1, numbers_, counts_);
+        if (!seen) return;
+        const ImportanceSample& camera = seen->camera;
+        const Real cosine = geometricCosine(at.hit(), camera.wi);
+        const Real byEye =
+            scene_.camera().pdf({camera.lens, -camera.wi}).pdfW * cosine / (camera.distance * camera.distance);
+        const Real others = walk_.density().others(byEye, at.bsdf()->pdfW(camera.wi, at.wo()));
+        found_.contributions.push_back({path.length + 1, 1, seen->value, strategyWeight(others, 0), camera.film});
+    }
+
+    const Scene& scene_;
+    const PathNumbers& numbers_;
+    RayCounts& counts_;
+    Subpaths& found_;
+    DensityWalk walk_;
+    bool splat_;
+};
+
+// Meets lights, asks for them, and connects to the light's vertices.
+class BidirectionalPathTracer::EyeVisitor {
+public:
+    EyeVisitor(const BidirectionalPathTracer& tracer, const DensityWalk& start, const PathNumbers& numbers,
+               RayCounts& counts, Subpaths& found)
+        : tracer_(tracer), numbers_(numbers), counts_(counts), found_(found), walk_(start) {}
+
+    bool reached(const Interaction& at, const WalkState& path) {
+        walk_.reach(at);
+        if (at.light() != nullptr) hit(at, path);
+        if (at.bsdf() == nullptr || path.length >= tracer_.limits_.maxLength) return false;
+        if (!spreads(at)) return true;
+        askForLight(at, path);
+        const PathVertex eye = {at, path.beta};
+        for (const LightVertex& light : found_.light) {
+            if (light.s + path.length <= tracer_.limits_.maxLength) connect(eye, light, path.length + 1);
+        }
+        return true;
+    }
+
+    void scattered(const Interaction& at, const BsdfSample& sample) { walk_.scatter(at, sample); }
+
+    void escaped(const WalkState& path) {
+        walk_.escape();
+        for (const ChosenLight& one : tracer_.lights_.infinite()) {
+            const EmissionPdf pdf = one.light->pdfEmission({}, -path.ray.direction);
+            const Real others = walk_.density().others(one.probability * pdf.pdfW, pdf.pdfA);
+            add(0, path.length + 1, path.beta * one.light->Le(path.ray), seenDirectly(path) ? 0 : others);
+        }
+    }
+
+private:
+    // (0, t)
+    void hit(const Interaction& at, const WalkState& path) {
+        const Color Le = at.Le();
+        if ((Le == 0).all()) return;
+        const EmissionPdf pdf = at.light()->pdfEmission(at.hit(), at.wo());
+        const Real others = walk_.density().others(tracer_.lights_.probability(*at.light()) * pdf.pdfA, pdf.pdfW);
+        add(0, path.length + 1, path.beta * Le, seenDirectly(path) ? 0 : others);
+    }
+
+    // (1, t)
+    void askForLight(const Interaction& at, const WalkState& path) {
+        const int vertex = path.length - 1;
+        const auto chosen = tracer_.lights_.choose(numbers_.number(Dimension::vertex(vertex, VertexUse::LightChoice)));
+        if (!chosen) return;
+        const Light& light = *chosen->light;
+        const Vec2 u = numbers_.pair(Dimension::vertex(vertex, VertexUse::LightPoint));
+        const auto sample = light.sampleDirect(at.hit(), u);
+        if (!sample) return;
+        const Color f = at.bsdf()->f(at.wo(), sample->wi, TransportMode::Radiance);
+        if ((f == 0).all()) return;
+        const Color passed = tracer_.scene().transmittance(sample->ray, at.media(sample->wi), counts_);
+        if ((passed == 0).all()) return;
+        const Real pdfW = chosen->probability * sample->pdfW;
+        const Color value = path.beta * f * at.bsdf()->cosine(sample->wi) * sample->radiance * passed / pdfW;
+
+        // In the measure of solid angle, seen from here: what the light's first vertex is picked by.
+        PathDensity first;
+        first.forward = pdfW;
+        first.open = canBeHit(light) ? 1 : 0;
+        const Real fromLight = first.others(at.bsdf()->pdfW(at.wo(), sample->wi), 0);
+        const EmissionPdf pdf = light.pdfEmission(light.directPoint(u), -sample->wi);
+        const Real arrives = light.infinite() ? pdf.pdfA : pdf.pdfW / sample->ray.direction.squaredNorm();
+        const Real fromEye = walk_.density().others(arrives * geometricCosine(at.hit(), sample->wi),
+                                                    at.bsdf()->pdfW(sample->wi, at.wo()));
+        add(1, path.length + 1, value, fromLight + fromEye);
+    }
+
+    // (s, t)
+    void connect(const PathVertex& eye, const LightVertex& light, int t) {
+        const auto joined = connectVertices(tracer_.scene(), eye, light.vertex, counts_);
+        if (!joined) return;
+        const Interaction& y = light.vertex.at;
+        const Interaction& z = eye.at;
+        const Vec3& wi = joined->wi;
+        const Real cosY = geometricCosine(y.hit(), wi) / joined->squaredDistance;
+        const Real cosZ = geometricCosine(z.hit(), wi) / joined->squaredDistance;
+        const Real fromLight = light.density.others(z.bsdf()->pdfW(z.wo(), wi) * cosY, y.bsdf()->pdfW(-wi, y.wo()));
+        const Real fromEye = walk_.density().others(y.bsdf()->pdfW(y.wo(), -wi) * cosZ, z.bsdf()->pdfW(wi, z.wo()));
+        add(light.s, t, joined->value, fromLight + fromEye);
+    }
+
+    static bool seenDirectly(const WalkState& path) { return path.length == 1; }
+
+    void add(int s, int t, const Color& value, Real others) {
+        found_.contributions.push_back({s, t, value, strategyWeight(others, 0), Vec2::Zero()});
+    }
+
+    const BidirectionalPathTracer& tracer_;
+    const PathNumbers& numbers_;
+    RayCounts& counts_;
+    Subpaths& found_;
+    DensityWalk walk_;
+};
+
+BidirectionalPathTracer::BidirectionalPathTracer(const Scene& scene, const Sampler& sampler, const PixelFilter& filter,
+                                                 const PathLimits& limits)
+    : Integrator(scene, sampler, filter), limits_(checkLimits(limits)), lights_(scene.lights()) {}
+
+void BidirectionalPathTracer::walkFromLight(const PathNumbers& numbers, bool splat, RayCounts& counts,
+                                            Subpaths& found) const {
+    if (limits_.maxLength < 2) return;
+    const auto start = startAtLight(scene(), lights_, numbers);
+    if (!start) return;
+    LightVisitor visitor(scene(), *start, numbers, splat, counts, found);
+    // What connects it to the eye is a segment, too.
+    const PathLimits limits = {limits_.maxLength - 1, limits_.rouletteStart};
+    walk(scene(), {start->emission.ray, start->media, start->beta}, TransportMode::Importance, limits, numbers, counts,
+         visitor);
+}
+
+Color BidirectionalPathTracer::Li(const Ray& ray, const MediumStack& media, const PathNumbers& numbers,
+                                  RayCounts& counts) const {
+    Subpaths found;
+    walkFromLight(numbers.branch(lightStream), false, counts, found);
+    EyeVisitor visitor(*this, startOf(ray, 0), numbers, counts, found);
+    walk(scene(), {ray, media, Color::Ones()}, TransportMode::Radiance, limits_, numbers, counts, visitor);
+    Color sum = Color::Zero();
+    for (const StrategyContribution& one : found.contributions) sum += one.weight * one.value;
+    return sum;
+}
+
+std::vector<StrategyContribution> BidirectionalPathTracer::contributions(const PathId& path, RayCounts& counts) const {
+    Subpaths found;
+    walkFromLight(sampler().start(lightStream, path.pixel, path.index), true, counts, found);
+    const PathNumbers numbers = sampler().start(eyeStream, path.pixel, path.index);
+    const Ray ray = eyeRay(path, numbers, counts);
+    EyeVisitor visitor(*this, startOf(ray, scene().camera().pdf(ray).pdfW), numbers, counts, found);
+    walk(scene(), {ray, scene().cameraMedia(), Color::Ones()}, TransportMode::Radiance, limits_, numbers, counts,
+         visitor);
+    return found.contributions;
+}
+
+Color BidirectionalPathTracer::tracePath(const PathId& path, std::vector<Splat>& splats, RayCounts& counts) const {
+    Color sum = Color::Zero();
+    for (const StrategyContribution& one : contributions(path, counts)) {
+        if (one.t == 1) {
+            splats.push_back({one.film, one.weight * one.value});
+        } else {
+            sum += one.weight * one.value;
+        }
+    }
+    return sum;
+}
+
+}  // namespace caustic

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "camera/camera.h"
+#include "sampling/sampler.h"
+#include "scene/scene.h"
+
+namespace caustic {
+
+/// How a vertex of a light path is seen by the camera.
+struct CameraConnection {
+    ImportanceSample camera;  ///< where on the film, and which way it lies
+    Color value =
+        Color::Zero();  ///< what the pixels around get, if no other way to make the path is weighed against it
+};
+
+/// Connects a vertex of a light path to the camera. A smooth surface is never seen this way: its one direction doesn't
+/// lead into the pinhole.
+/// @param beta     throughput of the light path at the vertex, W
+/// @param vertex   which vertex of the path it is, from 0
+/// @param numbers  the light path's: a lens takes a pair
+/// @param counts   what was asked of the scene is added
+/// @return nothing when it isn't on the film, something is in the way, or no light goes there
+std::optional<CameraConnection> connectToCamera(const Scene& scene, const Interaction& at, const Color& beta,
+                                                int vertex, const PathNumbers& numbers, RayCounts& counts);
+
+}  // namespace caustic

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "light/light.h"
+
+namespace caustic {
+
+/// A light and how likely it was to be chosen.
+struct ChosenLight {
+    const Light* light = nullptr;
+    Real probability = 0;  ///< greater than 0
+};
+
+/// Chooses one of a scene's lights, each in proportion to its power (the strongest colour of it): who asks one light
+/// instead of all of them divides what it brings by the probability.
+class LightChoice {
+public:
+    /// The lights are kept by reference.
+    explicit LightChoice(const std::vector<std::shared_ptr<const Light>>& lights);
+
+    /// Chooses one.
+    /// @param u  uniform in [0, 1)
+    /// @return nothing when no light shines
+    std::optional<ChosenLight> choose(Real u) const;
+
+    /// How likely a light is to be chosen; 0 for one that doesn't shine.
+    Real probability(const Light& light) const;
+
+    /// The lights that rays find when they leave the scene.
+    const std::vector<ChosenLight>& infinite() const { return infinite_; }
+
+private:
+    std::vector<ChosenLight> lights_;  // those that shine
+    std::vector<Real> upTo_;           // sum of the probabilities up to and with each
+    std::vector<ChosenLight> infinite_;
+    std::unordered_map<const Light*, Real> probabilities_;
+};
+
+}  // namespace caustic

@@ -1,0 +1,16 @@
+#include "integrator/roulette.h"
+
+#include "core/not_implemented.h"
+
+namespace caustic {
+
+std::optional<Real> roulette(const Color& share, Real u) {
+    //! [ex-07.2]
+    const Real survival = share.maxCoeff();
+    if (survival >= 1) return 1;
+    if (u >= survival) return std::nullopt;
+    return 1 / survival;
+    //! [ex-07.2]
+}
+
+}  // namespace caustic

@@ -1,0 +1,19 @@
+#include "integrator/scatter.h"
+
+#include "core/not_implemented.h"
+
+namespace caustic {
+
+std::optional<Scattering> scatter(const Interaction& at, TransportMode mode, const PathNumbers& numbers, int vertex) {
+    //! [ex-07.1]
+    const Vec2 u = numbers.pair(Dimension::vertex(vertex, VertexUse::Direction));
+    const Real uLobe = numbers.number(Dimension::vertex(vertex, VertexUse::Lobe));
+    const auto sample = at.bsdf()->sample(at.wo(), u, uLobe, mode);
+    if (!sample) return std::nullopt;
+    // A delta lobe's weight is integrated over its one direction already: it has no cosine any more.
+    const Real cosine = sample->delta() ? 1 : at.bsdf()->cosine(sample->wi);
+    return Scattering{*sample, sample->f * cosine / sample->pdfW};
+    //! [ex-07.1]
+}
+
+}  // namespace caustic

@@ -1,0 +1,28 @@
+#include "integrator/vertex_connection.h"
+
+#include <cmath>
+
+#include "core/not_implemented.h"
+#include "math/spawn.h"
+
+namespace caustic {
+
+std::optional<VertexConnection> connectVertices(const Scene& scene, const PathVertex& eye, const PathVertex& light,
+                                                RayCounts& counts) {
+    //! [ex-07.6]
+    const Vec3 way = light.at.hit().point - eye.at.hit().point;
+    const Real squaredDistance = way.squaredNorm();
+    if (!(squaredDistance > 0)) return std::nullopt;
+    const Vec3 wi = way / std::sqrt(squaredDistance);
+    const Color atEye = eye.at.bsdf()->f(eye.at.wo(), wi, TransportMode::Radiance);
+    if ((atEye == 0).all()) return std::nullopt;
+    const Color atLight = light.at.bsdf()->f(light.at.wo(), -wi, TransportMode::Importance);
+    if ((atLight == 0).all()) return std::nullopt;
+    const Color passed = scene.transmittance(spawnRayTo(eye.at.hit(), light.at.hit()), eye.at.media(wi), counts);
+    if ((passed == 0).all()) return std::nullopt;
+    const Real geometry = eye.at.bsdf()->cosine(wi) * light.at.bsdf()->cosine(-wi) / squaredDistance;
+    return VertexConnection{wi, squaredDistance, eye.beta * atEye * geometry * passed * atLight * light.beta};
+    //! [ex-07.6]
+}
+
+}  // namespace caustic

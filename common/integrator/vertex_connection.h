@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+
+#include "scene/scene.h"
+
+namespace caustic {
+
+/// A vertex of a walk, and what the walk carries when it gets there.
+struct PathVertex {
+    Interaction at;
+    Color beta = Color::Zero();  ///< throughput; of a path from a light in W
+};
+
+/// Two walks joined by a straight segment.
+struct VertexConnection {
+    Vec3 wi = Vec3::UnitZ();      ///< unit direction from the eye's vertex to the light's
+    Real squaredDistance = 0;     ///< between them, m²; greater than 0
+    Color value = Color::Zero();  ///< of the whole path, unweighted, W/(m²·sr)
+};
+
+/// Connects the end of a walk from the eye to the end of one from a light: both scatter towards each other, and what
+/// passes between them falls with the square of the distance.
+/// @param counts  what was asked of the scene is added
+/// @return nothing when something is in the way, or no light goes there
+std::optional<VertexConnection> connectVertices(const Scene& scene, const PathVertex& eye, const PathVertex& light,
+                                                RayCounts& counts);
+
+}  // namespace caustic
