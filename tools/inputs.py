@@ -2,6 +2,7 @@
 
 Two users, one definition: the build writes the hashes into chapter_inputs.h, so that an executable knows what it was
 built from, and `./course figures` compares them with what a provenance.json says, so that a stale figure is found.
+Comments of C++ sources don't count: no picture changes by a docstring.
 """
 
 import hashlib
@@ -9,12 +10,22 @@ import json
 import sys
 from pathlib import Path
 
+from course_lib.cpp_source import without_comments
+
 ROOT = Path(__file__).resolve().parent.parent
 OWN_SOURCES = ("*.cpp", "*.h", "*.gp", "*.json")
+CPP = (".cpp", ".h")
 
 
 def sha256(path):
     return hashlib.sha256(path.read_bytes()).hexdigest()
+
+
+def source_hash(path):
+    """What a source is to a figure: C++ by its code, anything else by its bytes."""
+    if path.suffix not in CPP:
+        return sha256(path)
+    return hashlib.sha256(without_comments(path.read_text(encoding="utf-8")).encode()).hexdigest()
 
 
 def source_files(declarations, chapter, root=ROOT):
@@ -31,7 +42,7 @@ def source_files(declarations, chapter, root=ROOT):
 def sources_hash(declarations, chapter, root=ROOT):
     total = hashlib.sha256()
     for path in source_files(declarations, chapter, root):
-        total.update(f"{path.relative_to(root).as_posix()} {sha256(path)}\n".encode())
+        total.update(f"{path.relative_to(root).as_posix()} {source_hash(path)}\n".encode())
     return total.hexdigest()
 
 
@@ -61,8 +72,15 @@ def main(arguments):
         sys.exit("usage: inputs.py DECLARATIONS.json NN_name HEADER")
     declarations_path, chapter, header = arguments
     text = header_text(json.loads(Path(declarations_path).read_text()), chapter)
-    Path(header).parent.mkdir(parents=True, exist_ok=True)
-    Path(header).write_text(text)
+    write_if_changed(Path(header), text)
+
+
+def write_if_changed(path, text):
+    """So that nothing is compiled again when only a comment was changed."""
+    if path.exists() and path.read_text() == text:
+        return
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(text)
 
 
 if __name__ == "__main__":

@@ -12,6 +12,7 @@ import inputs
 from course_lib import png, provenance
 from course_lib.chapters import choose_chapters
 from course_lib.compare import Tolerances, compare_pictures, compare_tables, same_rate
+from course_lib.cpp_source import without_comments
 from course_lib.errors import CourseError
 from course_lib.provenance import CurrentInputs, Wanted
 
@@ -59,10 +60,22 @@ class Staleness(TemporaryTree):
 
     def test_one_byte_of_any_input_makes_it_stale(self):
         for name in ("common/curve/curve.cpp", "chapters/01_curves/main.cpp", "chapters/01_curves/chart.gp", "assets/cup.svg"):
-            self.write(name, FILES[name] + " ")
+            self.write(name, "x" + FILES[name])
             self.assertTrue(self.reasons(), f"{name} changed, but the figure is said to be up to date")
             self.write(name, FILES[name])
         self.assertEqual(self.reasons(), [])
+
+    def test_comments_and_blank_lines_of_code_leave_it_alone(self):
+        for text in ("/// What a is.\nint a;\n", "int a;  // what it's for\n", "/* long\n   story */\n\nint a;\n"):
+            self.write("common/curve/curve.cpp", text)
+            self.assertEqual(self.reasons(), [], text)
+        self.write("chapters/01_curves/chart.gp", "# comment\n" + FILES["chapters/01_curves/chart.gp"])
+        self.assertTrue(self.reasons(), "Only C++ is read as C++.")
+
+    def test_what_looks_like_a_comment_within_text_counts(self):
+        for old, new in (('"http://a";', '"http://b";'), ("int a = 10'000 /* a */ + 1'0;", "int a = 10'000 /* a */ + 1'1;"),
+                         ("c = '\"'; // a", "d = '\"'; // a"), ('R"(// a)";', 'R"(// b)";')):
+            self.assertNotEqual(without_comments(old), without_comments(new))
 
     def test_what_it_is_not_made_from_leaves_it_alone(self):
         for name in ("common/tree/tree.cpp", "tests/support/kit.h", "chapters/01_curves/README.md", "assets/vase.svg"):

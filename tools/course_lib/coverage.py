@@ -12,6 +12,7 @@ import shutil
 
 from course_lib import cmake
 from course_lib.chapters import all_chapters
+from course_lib.cpp_source import COMMENT_OR_TEXT
 from course_lib.errors import CourseError
 from course_lib.paths import ROOT, build_dir, program
 from course_lib.process import run
@@ -20,7 +21,6 @@ from course_lib.terminal import say
 LEAST = 95.0  # per cent of the lines of common/, error paths aside
 PRESET = "coverage"
 
-COMMENT_OR_TEXT = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])*\'', re.DOTALL)
 NO_RETURN = re.compile(r"\[\[noreturn\]\][^;{(]*?\b(\w+)\s*\(")
 BRANCH_HEAD = re.compile(r"(\bif\b[^;{}]*|\belse\s*|\bcase\b[^;{}]*:\s*)$")
 CATCH_HEAD = re.compile(r"\bcatch\s*\([^{}]*\)\s*$")
