@@ -12,6 +12,8 @@ namespace {
 
 constexpr LobeFlags spread = LobeFlags::Diffuse | LobeFlags::Glossy;
 
+constexpr std::size_t mostUsual = 8;  // vertices of a walk, for which room is made at once
+
 bool spreads(const Interaction& at) { return at.bsdf() != nullptr && anyOf(at.bsdf()->lobes(), spread); }
 
 // Whether a walk can find the light by chance.
@@ -44,7 +46,8 @@ DensityWalk startOf(const Ray& ray, Real pdfW) {
 }  // namespace
 
 struct BidirectionalPathTracer::LightVertex {
-    PathVertex vertex;
+    Interaction at;
+    Color beta;
     PathDensity density;
     int s = 0;  // vertices from the light, this one included
 };
@@ -67,7 +70,7 @@ public:
         walk_.reach(at);
         if (!spreads(at)) return true;
         if (splat_) splat(at, path);
-        found_.light.push_back({{at, path.beta}, walk_.density(), path.length + 1});
+        found_.light.push_back({at, path.beta, walk_.density(), path.length + 1});
         return true;
     }
 
@@ -108,9 +111,8 @@ public:
         if (at.bsdf() == nullptr || path.length >= tracer_.limits_.maxLength) return false;
         if (!spreads(at)) return true;
         askForLight(at, path);
-        const PathVertex eye = {at, path.beta};
         for (const LightVertex& light : found_.light) {
-            if (light.s + path.length <= tracer_.limits_.maxLength) connect(eye, light, path.length + 1);
+            if (light.s + path.length <= tracer_.limits_.maxLength) connect(at, path, light);
         }
         return true;
     }
@@ -165,17 +167,16 @@ private:
     }
 
     // (s, t)
-    void connect(const PathVertex& eye, const LightVertex& light, int t) {
-        const auto joined = connectVertices(tracer_.scene(), eye, light.vertex, counts_);
+    void connect(const Interaction& z, const WalkState& path, const LightVertex& light) {
+        const Interaction& y = light.at;
+        const auto joined = connectVertices(tracer_.scene(), {z, path.beta}, {y, light.beta}, counts_);
         if (!joined) return;
-        const Interaction& y = light.vertex.at;
-        const Interaction& z = eye.at;
         const Vec3& wi = joined->wi;
         const Real cosY = geometricCosine(y.hit(), wi) / joined->squaredDistance;
         const Real cosZ = geometricCosine(z.hit(), wi) / joined->squaredDistance;
         const Real fromLight = light.density.others(z.bsdf()->pdfW(z.wo(), wi) * cosY, y.bsdf()->pdfW(-wi, y.wo()));
         const Real fromEye = walk_.density().others(y.bsdf()->pdfW(y.wo(), -wi) * cosZ, z.bsdf()->pdfW(wi, z.wo()));
-        add(light.s, t, joined->value, fromLight + fromEye);
+        add(light.s, path.length + 1, joined->value, fromLight + fromEye);
     }
 
     static bool seenDirectly(const WalkState& path) { return path.length == 1; }
@@ -200,6 +201,7 @@ void BidirectionalPathTracer::walkFromLight(const PathNumbers& numbers, bool spl
     if (limits_.maxLength < 2) return;
     const auto start = startAtLight(scene(), lights_, numbers);
     if (!start) return;
+    found.light.reserve(mostUsual);
     LightVisitor visitor(scene(), *start, numbers, splat, counts, found);
     // What connects it to the eye is a segment, too.
     const PathLimits limits = {limits_.maxLength - 1, limits_.rouletteStart};

@@ -8,7 +8,7 @@ struct PathLimits {
     int maxLength = 10;
 
     /// The first vertex of a walk, counted from 0, at which roulette is played; at least 0.
-    int rouletteStart = 3;
+    int rouletteStart = 1;
 };
 
 /// Passes the limits on.

@@ -7,7 +7,7 @@
 
 namespace caustic {
 
-std::optional<VertexConnection> connectVertices(const Scene& scene, const PathVertex& eye, const PathVertex& light,
+std::optional<VertexConnection> connectVertices(const Scene& scene, const WalkEnd& eye, const WalkEnd& light,
                                                 RayCounts& counts) {
     //! [ex-07.6]
     const Vec3 way = light.at.hit().point - eye.at.hit().point;

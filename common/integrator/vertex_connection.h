@@ -6,10 +6,10 @@
 
 namespace caustic {
 
-/// A vertex of a walk, and what the walk carries when it gets there.
-struct PathVertex {
-    Interaction at;
-    Color beta = Color::Zero();  ///< throughput; of a path from a light in W
+/// The last vertex of a walk, seen by who connects it.
+struct WalkEnd {
+    const Interaction& at;
+    const Color& beta;  ///< throughput when the walk gets there; of a walk from a light in W
 };
 
 /// Two walks joined by a straight segment.
@@ -23,7 +23,7 @@ struct VertexConnection {
 /// passes between them falls with the square of the distance.
 /// @param counts  what was asked of the scene is added
 /// @return nothing when something is in the way, or no light goes there
-std::optional<VertexConnection> connectVertices(const Scene& scene, const PathVertex& eye, const PathVertex& light,
+std::optional<VertexConnection> connectVertices(const Scene& scene, const WalkEnd& eye, const WalkEnd& light,
                                                 RayCounts& counts);
 
 }  // namespace caustic
