@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "math/hit.h"
@@ -14,6 +15,18 @@ class MediumStack {
 public:
     /// More objects than this may not overlap at one place.
     static constexpr int mostNested = 8;
+
+    /// In empty space.
+    MediumStack() = default;
+    /// Copies what is there: paths carry their media along, and mostly they are in none.
+    MediumStack(const MediumStack& other) { *this = other; }
+    /// The same.
+    MediumStack& operator=(const MediumStack& other) {
+        std::copy_n(other.entries_.begin(), other.count_, entries_.begin());
+        count_ = other.count_;
+        return *this;
+    }
+    ~MediumStack() = default;
 
     /// What fills the place; null in empty space.
     const Interior* current() const;
@@ -39,12 +52,12 @@ public:
 
 private:
     struct Entry {
-        ObjectId object = noObject;
-        const Interior* interior = nullptr;
+        ObjectId object;
+        const Interior* interior;
     };
     const Entry* top() const;
 
-    std::array<Entry, mostNested> entries_;
+    std::array<Entry, mostNested> entries_;  // the first count_ are set
     int count_ = 0;
 };
 

@@ -1,18 +1,15 @@
 #include "sampling/independent_sampler.h"
 
-#include "core/random.h"
 #include "sampling/path_stream.h"
 
 namespace caustic {
 
 Real IndependentSampler::number(const PathName& path, Dimension dimension) const {
-    return pathStream(seed_, path, dimension, path.index).uniform();
+    return PathStream(seed_, path, path.index).number(dimension);
 }
 
 Vec2 IndependentSampler::pair(const PathName& path, Dimension dimension) const {
-    Random random = pathStream(seed_, path, dimension, path.index);
-    const Real first = random.uniform();
-    return {first, random.uniform()};
+    return PathStream(seed_, path, path.index).pair(dimension);
 }
 
 }  // namespace caustic

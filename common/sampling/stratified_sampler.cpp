@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "core/check.h"
-#include "core/random.h"
 #include "sampling/path_stream.h"
 #include "sampling/permutation.h"
 
@@ -30,21 +29,20 @@ StratifiedSampler::StratifiedSampler(std::uint64_t seed, int perAxis)
 }
 
 Real StratifiedSampler::number(const PathName& path, Dimension dimension) const {
-    Random random = pathStream(seed_, path, dimension, path.index);
-    return placed(cellOf(path, dimension), random.uniform(), perAxis_ * perAxis_);
+    const Real jitter = PathStream(seed_, path, path.index).number(dimension);
+    return placed(cellOf(path, dimension), jitter, perAxis_ * perAxis_);
 }
 
 Vec2 StratifiedSampler::pair(const PathName& path, Dimension dimension) const {
-    Random random = pathStream(seed_, path, dimension, path.index);
+    const Vec2 jitter = PathStream(seed_, path, path.index).pair(dimension);
     const std::uint32_t cell = cellOf(path, dimension);
-    const Real first = placed(cell % perAxis_, random.uniform(), perAxis_);
-    return {first, placed(cell / perAxis_, random.uniform(), perAxis_)};
+    return {placed(cell % perAxis_, jitter.x(), perAxis_), placed(cell / perAxis_, jitter.y(), perAxis_)};
 }
 
 std::uint32_t StratifiedSampler::cellOf(const PathName& path, Dimension dimension) const {
     const std::int64_t cells = std::int64_t{perAxis_} * perAxis_;
-    Random shuffle = pathStream(seed_ ^ shuffling, path, dimension, path.index / cells);
-    const std::uint32_t key = static_cast<std::uint32_t>(shuffle.below(std::uint64_t{1} << 32));
+    const PathStream shuffle(seed_ ^ shuffling, path, path.index / cells);
+    const auto key = static_cast<std::uint32_t>(shuffle.bits(dimension) >> 32);
     return permuted(static_cast<std::uint32_t>(path.index % cells), static_cast<std::uint32_t>(cells), key);
 }
 

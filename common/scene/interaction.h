@@ -10,10 +10,12 @@ namespace caustic {
 /// A hit as light sees it. A value: paths keep them.
 class Interaction {
 public:
-    /// @param hit    where
-    /// @param wo     unit direction to where the path came from
-    /// @param light  the light that the surface is; null for none
-    Interaction(const Hit& hit, const Vec3& wo, const Light* light) : hit_(hit), wo_(wo), light_(light) {}
+    /// @param hit       where
+    /// @param wo        unit direction to where the path came from
+    /// @param light     the light that the surface is; null for none
+    /// @param crossing  what the path is in on wo's side, and on the other one
+    Interaction(const Hit& hit, const Vec3& wo, const Light* light, const Crossing& crossing)
+        : hit_(hit), wo_(wo), light_(light), crossing_(crossing) {}
 
     /// Where.
     const Hit& hit() const { return hit_; }

@@ -14,6 +14,13 @@
 
 namespace caustic {
 
+namespace {
+
+// Whether its surface lets light pass straight on.
+bool madeOfNothing(const SceneObject& one) { return !one.material && !one.emission; }
+
+}  // namespace
+
 Scene::Scene(SceneDescription description) : description_(std::move(description)) {
     checkNotNegative(description_.ambient, "ambient light");
     std::vector<std::shared_ptr<const Shape>> members;
@@ -75,7 +82,9 @@ std::optional<Interaction> Scene::follow(const Ray& ray, MediumStack& media, Col
 Color Scene::transmittance(const Ray& shadow, const MediumStack& media, RayCounts& counts) const {
     ++counts.shadowRays;
     if (!world_) return Color::Ones();
-    if (!needs_.interiors) return world_->occluded(shadow) ? Color::Zero() : Color::Ones();
+    // In empty space the first boundary stops light, unless it is made of nothing.
+    if (!boundariesOfNothing_ && media.current() == nullptr)
+        return world_->occluded(shadow) ? Color::Zero() : Color::Ones();
 
     Color passed = Color::Ones();
     MediumStack here = media;
@@ -133,20 +142,21 @@ const SceneObject& Scene::object(ObjectId id) const { return description_.object
 // Whether light goes through the boundary as if it weren't there: hidden in an object of higher priority, or made of
 // nothing.
 bool Scene::passesStraight(const SceneObject& one, const Crossing& crossing) const {
-    if (!one.material && !one.emission) return true;
-    return !crossing.counts() && !one.emission;
+    return madeOfNothing(one) || (!crossing.counts() && !one.emission);
 }
 
-Interaction Scene::interaction(const Hit& hit, const Vec3& wo, const Crossing& crossing, RayCounts& counts) const {
-    Interaction at(hit, wo, lightOfObject_[static_cast<std::size_t>(hit.object)]);
-    at.crossing_ = crossing;
+std::optional<Interaction> Scene::interaction(const Hit& hit, const Vec3& wo, const Crossing& crossing,
+                                              RayCounts& counts) const {
     const SceneObject& one = object(hit.object);
+    // Made where it will stay: it is large.
+    std::optional<Interaction> at(std::in_place, hit, wo, lightOfObject_[static_cast<std::size_t>(hit.object)],
+                                  crossing);
     if (!one.material) return at;
     if (one.material->textured()) ++counts.textureLookups;
     const Real here = crossing.before.ior();
     const Real beyond = crossing.after.ior();
     const bool above = wo.dot(hit.ng) >= 0;
-    one.material->build(hit, ShadingFrame::at(hit, above ? here : beyond, above ? beyond : here), at.bsdf_);
+    one.material->build(hit, ShadingFrame::at(hit, above ? here : beyond, above ? beyond : here), at->bsdf_);
     return at;
 }
 
@@ -169,6 +179,7 @@ void Scene::noteNeeds() {
         needs_.diffuse = needs_.diffuse || anyOf(lobes, LobeFlags::Diffuse);
         needs_.glossy = needs_.glossy || anyOf(lobes, LobeFlags::Glossy);
         needs_.interiors = needs_.interiors || one.interior.has_value();
+        boundariesOfNothing_ = boundariesOfNothing_ || madeOfNothing(one);
         needs_.medium = needs_.medium || (one.interior && one.interior->medium);
         needs_.areaLights = needs_.areaLights || one.emission;
         needs_.textures = needs_.textures || (one.material && one.material->textured()) ||

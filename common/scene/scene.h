@@ -66,12 +66,14 @@ public:
 private:
     const SceneObject& object(ObjectId id) const;
     bool passesStraight(const SceneObject& one, const Crossing& crossing) const;
-    Interaction interaction(const Hit& hit, const Vec3& wo, const Crossing& crossing, RayCounts& counts) const;
+    std::optional<Interaction> interaction(const Hit& hit, const Vec3& wo, const Crossing& crossing,
+                                           RayCounts& counts) const;
     void addObject(const SceneObject& one);
     void noteNeeds();
 
     SceneDescription description_;
     SceneNeeds needs_;
+    bool boundariesOfNothing_ = false;                  // some object lets light pass straight on
     std::shared_ptr<const Shape> world_;                // null for an empty scene
     std::vector<std::shared_ptr<const Light>> lights_;  // those of objects first
     std::vector<const Light*> lightOfObject_;           // null for none

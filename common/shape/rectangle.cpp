@@ -18,6 +18,8 @@ Rectangle::Rectangle(const Vec3& corner, const Vec3& edgeU, const Vec3& edgeV)
     area_ = normal.norm();
     checkPositive(area_, "rectangle's area");
     ng_ = normal / area_;
+    perU_ = edgeU / edgeU.squaredNorm();
+    perV_ = edgeV / edgeV.squaredNorm();
     const Bounds3 box = bounds();
     magnitude_ = box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff();
 }
@@ -54,7 +56,7 @@ std::optional<Rectangle::Found> Rectangle::find(const Ray& ray) const {
     const Real t = ng_.dot(corner_ - ray.origin) / ng_.dot(ray.direction);
     if (!ray.reaches(t)) return std::nullopt;
     const Vec3 at = ray.at(t) - corner_;
-    const Vec2 uv(at.dot(edgeU_) / edgeU_.squaredNorm(), at.dot(edgeV_) / edgeV_.squaredNorm());
+    const Vec2 uv(at.dot(perU_), at.dot(perV_));
     const bool inside = uv.x() >= 0 && uv.x() <= 1 && uv.y() >= 0 && uv.y() <= 1;
     if (!inside) return std::nullopt;
     return Found{t, uv};

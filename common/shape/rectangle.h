@@ -31,6 +31,8 @@ private:
     Vec3 corner_;
     Vec3 edgeU_;
     Vec3 edgeV_;
+    Vec3 perU_;  // edgeU over its squared length: its product with a way along the edge is how far u goes
+    Vec3 perV_;
     Vec3 ng_;
     Real area_;
     Real magnitude_;
