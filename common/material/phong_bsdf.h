@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <limits>
+
 #include "material/bsdf.h"
 
 namespace caustic {
@@ -13,7 +16,7 @@ public:
     /// @param specular  share reflected around the mirror direction at normal incidence; the two sum to at most 1
     /// @param exponent  n, at least 0: the larger, the smaller the highlight
     PhongBsdf(const ShadingFrame& shading, const Color& diffuse, const Color& specular, Real exponent)
-        : Bsdf(shading), diffuse_(diffuse), specular_(specular), exponent_(exponent) {}
+        : Bsdf(shading), diffuse_(diffuse), specular_(specular), exponent_(std::max(exponent, leastExponent)) {}
 
     LobeFlags lobes() const override { return LobeFlags::Diffuse | LobeFlags::Glossy | LobeFlags::Reflection; }
 
@@ -22,6 +25,9 @@ private:
     Real localPdfW(const Vec3& wo, const Vec3& wi, Real eta) const override;
     std::optional<BsdfSample> localSample(const Vec3& wo, const Vec2& u, Real uLobe, Real eta) const override;
     Real diffuseProbability() const;
+
+    // 0⁰ is 1, which would give an exponent of 0 a highlight beyond the right angle, where no sample goes.
+    static constexpr Real leastExponent = std::numeric_limits<Real>::min();
 
     Color diffuse_;
     Color specular_;

@@ -1,0 +1,318 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/random.h"
+#include "material/conductor_material.h"
+#include "material/dielectric_bsdf.h"
+#include "material/directions.h"
+#include "material/fresnel.h"
+#include "material/mirror_bsdf.h"
+#include "material/phong_bsdf.h"
+#include "material/refraction_bsdf.h"
+#include "material/rough_conductor_bsdf.h"
+#include "material/rough_conductor_material.h"
+#include "material/rough_dielectric_bsdf.h"
+#include "material/rough_dielectric_material.h"
+#include "sampling/warp.h"
+#include "support/bsdf_cases.h"
+#include "support/bsdf_checks.h"
+#include "support/direction_chi_square.h"
+
+namespace caustic {
+namespace {
+
+constexpr double falseAlarm = 1e-6;
+
+Vec3 anyDirection(Random& random) {
+    const Real x = random.uniform();
+    return uniformSphere({x, random.uniform()});
+}
+
+std::vector<test::BsdfCase> roughCases() {
+    std::vector<test::BsdfCase> all = test::roughConductorCases();
+    for (const test::BsdfCase& one : test::roughDielectricCases()) all.push_back(one);
+    return all;
+}
+
+std::vector<test::BsdfCase> allCases() {
+    std::vector<test::BsdfCase> all = roughCases();
+    for (const test::BsdfCase& one : test::earlierBsdfCases()) all.push_back(one);
+    return all;
+}
+
+void expectTheDensity(const std::vector<test::BsdfCase>& cases, int samples) {
+    std::uint64_t seed = 0;
+    for (const test::BsdfCase& one : cases)
+        EXPECT_GT(test::bsdfProbability(*one.bsdf, one.shading, one.wo, samples, ++seed), falseAlarm) << one.name;
+}
+
+// 504 cases in all. What so many samples see is said below; large_bsdf.cpp takes ten times as many.
+TEST(BsdfDensity, EarlierModels) { expectTheDensity(test::earlierBsdfCases(), 60'000); }
+TEST(BsdfDensity, RoughConductors) { expectTheDensity(test::roughConductorCases(), 60'000); }
+TEST(BsdfDensity, RoughDielectrics) { expectTheDensity(test::roughDielectricCases(), 60'000); }
+
+// The power: a density that is too large by 10 percent in one octant. 3 percent need ten times the samples:
+// large_bsdf.cpp.
+TEST(BsdfDensity, AnOctantWrongByTenPercentIsSeen) {
+    Random random(1, {});
+    const ShadingFrame shading = test::anyPlace(random, false, 1.5);
+    const RoughDielectricBsdf glass(shading, Ggx(0.5, 0.5));
+    const Vec3 wo = shading.frame.toWorld(Vec3(0.02, 0.03, 1).normalized());
+    // What is reflected, into the other four, is a few percent of the light: too few samples to tell.
+    for (int octant = 4; octant < 8; ++octant) {
+        const auto wrong = [&](const Vec3& wi) {
+            const Vec3 local = shading.frame.toLocal(wi);
+            const int in = (local.x() < 0 ? 1 : 0) + (local.y() < 0 ? 2 : 0) + (local.z() < 0 ? 4 : 0);
+            return glass.pdfW(wo, wi) * (in == octant ? 1.1 : 1);
+        };
+        const test::DirectionSampling sampling = {[&](const Vec2& u, Real uLobe) -> std::optional<Vec3> {
+                                                      const auto sample =
+                                                          glass.sample(wo, u, uLobe, TransportMode::Radiance);
+                                                      if (!sample) return std::nullopt;
+                                                      return sample->wi;
+                                                  },
+                                                  wrong};
+        const Frame axes = {shading.frame.n, shading.frame.s, shading.frame.t};
+        EXPECT_LT(test::directionProbability(sampling, 60'000, 3, axes), falseAlarm) << octant;
+    }
+}
+
+TEST(BsdfSample, SaysWhatFAndPdfSay) {
+    for (const test::BsdfCase& one : roughCases()) {
+        for (std::uint64_t i = 0; i < 200; ++i) {
+            Random random(2, {i});
+            const Real x = random.uniform();
+            const Vec2 u(x, random.uniform());
+            const Real uLobe = random.uniform();
+            for (const TransportMode mode : {TransportMode::Radiance, TransportMode::Importance}) {
+                const auto sample = one.bsdf->sample(one.wo, u, uLobe, mode);
+                if (!sample) continue;
+                EXPECT_NEAR(sample->wi.norm(), 1, 1e-12);
+                EXPECT_GT(sample->pdfW, 0);
+                EXPECT_NEAR(sample->pdfW, one.bsdf->pdfW(one.wo, sample->wi), 1e-9 * sample->pdfW) << one.name;
+                EXPECT_LE((sample->f - one.bsdf->f(one.wo, sample->wi, mode)).abs().maxCoeff(),
+                          1e-9 * sample->f.maxCoeff());
+                const bool crosses = sample->wi.dot(one.shading.ng) * one.wo.dot(one.shading.ng) < 0;
+                EXPECT_EQ(sample->transmits(), crosses) << one.name;
+            }
+        }
+    }
+}
+
+// Energy. Every single weight of a sample of visible normals is a share.
+TEST(BsdfEnergy, VisibleNormalsWeighAtMostOne) {
+    for (const test::BsdfCase& one : roughCases())
+        EXPECT_LE(test::largestWeight(*one.bsdf, one.shading, one.wo, 2000, 1), 1 + 1e-12) << one.name;
+    for (std::uint64_t i = 0; i < 500; ++i) {
+        Random random(3, {i});
+        const ShadingFrame shading = test::anyPlace(random, i % 2 == 1, random.uniform(0.3, 3));
+        const Real alphaX = std::pow(10, random.uniform(-4, 0));
+        const Real alphaY = std::pow(10, random.uniform(-4, 0));
+        const Vec3 wo = anyDirection(random);
+        const RoughDielectricBsdf glass(shading, Ggx(alphaX, alphaY));
+        const RoughConductorBsdf metal(shading, Metal::silver(), Ggx(alphaX, alphaY));
+        EXPECT_LE(test::largestWeight(glass, shading, wo, 200, i), 1 + 1e-12);
+        EXPECT_LE(test::largestWeight(metal, shading, wo, 200, i), 1 + 1e-12);
+    }
+}
+
+// The others by quadrature. Importance apart from ng isn't energy, so ns = ng.
+TEST(BsdfEnergy, TheRestGivesBackAtMostWhatItGets) {
+    for (const test::BsdfCase& one : test::earlierBsdfCases()) {
+        if (one.shading.ng != one.shading.frame.n) continue;
+        EXPECT_LE(test::albedo(*one.bsdf, one.shading, one.wo, 1e-5).maxCoeff(), 1 + 1e-4) << one.name;
+    }
+    for (std::uint64_t i = 0; i < 1000; ++i) {
+        Random random(4, {i});
+        const ShadingFrame shading = test::anyPlace(random, i % 2 == 1, random.uniform(0.3, 3));
+        const Vec3 wo = anyDirection(random);
+        const MirrorBsdf mirror(shading, Color::Ones());
+        const DielectricBsdf glass(shading);
+        const RefractionBsdf refraction(shading, Color::Constant(0.3), Color::Constant(0.7));
+        for (const Bsdf* const bsdf : {static_cast<const Bsdf*>(&mirror), static_cast<const Bsdf*>(&glass),
+                                       static_cast<const Bsdf*>(&refraction)}) {
+            EXPECT_LE(test::largestWeight(*bsdf, shading, wo, 8, i), 1 + 1e-12);
+            Color sum = Color::Zero();
+            for (const BsdfSample& lobe : bsdf->deltaLobes(wo, TransportMode::Radiance))
+                sum += lobe.f * lobe.eta * lobe.eta;
+            EXPECT_LE(sum.maxCoeff(), 1 + 1e-12);
+        }
+    }
+}
+
+// Two ways to the same share: the mean weight of samples, and f by quadrature.
+TEST(BsdfEnergy, SamplesAndQuadratureAgree) {
+    for (const test::BsdfCase& one : allCases()) {
+        if (one.shading.ng != one.shading.frame.n || one.name.find("0.02") != std::string::npos) continue;
+        constexpr int n = 4000;
+        Real sum = 0;
+        Real squares = 0;
+        for (int i = 0; i < n; ++i) {
+            Random random(5, {static_cast<std::uint64_t>(i)});
+            const Real x = random.uniform();
+            const Real y = random.uniform();
+            const auto sample = one.bsdf->sample(one.wo, {x, y}, random.uniform(), TransportMode::Importance);
+            if (!sample) continue;
+            const Real weight = sample->f.x() * one.bsdf->cosine(sample->wi) / sample->pdfW;
+            sum += weight;
+            squares += weight * weight;
+        }
+        const Real mean = sum / n;
+        const Real error = std::sqrt(std::max(0.0, squares / n - mean * mean) / n);
+        const Real truth = test::albedo(*one.bsdf, one.shading, one.wo, 1e-3).x();
+        EXPECT_NEAR(mean, truth, 4.9 * error + 2e-3) << one.name;
+    }
+}
+
+TEST(BsdfReciprocity, HoldsForEveryModel) {
+    int compared = 0;
+    for (const test::BsdfCase& one : allCases()) {
+        if (one.shading.ng != one.shading.frame.n) continue;
+        for (std::uint64_t i = 0; i < 100; ++i) {
+            Random random(6, {i});
+            const Vec3 a = anyDirection(random);
+            // Half of the pairs are what light really does; two directions at random meet no narrow lobe.
+            const auto sample = one.bsdf->sample(a, {random.uniform(), 0.3}, 0.9, TransportMode::Radiance);
+            const Vec3 b = i % 2 == 0 || !sample ? anyDirection(random) : sample->wi;
+            EXPECT_LE(test::reciprocityError(*one.bsdf, one.shading, a, b), 1e-9) << one.name << ", pair " << i;
+            ++compared;
+        }
+    }
+    EXPECT_GT(compared, 20'000);
+}
+
+// Veach 5.3: with f* the importance version, f*(a, b) |a·ng| |b·ns| = f(b, a) |b·ng| |a·ns|, through a boundary, too.
+TEST(BsdfReciprocity, ImportanceIsTheAdjointWithShadingNormals) {
+    int compared = 0;
+    for (const test::BsdfCase& one : roughCases()) {
+        if (one.shading.ng == one.shading.frame.n) continue;
+        for (std::uint64_t i = 0; i < 50; ++i) {
+            Random random(7, {i});
+            const Vec3 a = anyDirection(random);
+            const Vec3 b = anyDirection(random);
+            const Vec3& ns = one.shading.frame.n;
+            const Vec3& ng = one.shading.ng;
+            const Real forth = one.bsdf->f(a, b, TransportMode::Importance).x() * std::abs(a.dot(ng) * b.dot(ns));
+            const Real back = one.bsdf->f(b, a, TransportMode::Radiance).x() * std::abs(b.dot(ng) * a.dot(ns));
+            if (forth == 0 || back == 0) continue;  // one of the two sees the other from behind its normal
+            EXPECT_NEAR(forth, back, 1e-9 * std::max(forth, back)) << one.name;
+            ++compared;
+        }
+    }
+    EXPECT_GT(compared, 2000);
+}
+
+// Facets that flatten: mean of a smooth function of the sampled direction against the one direction of the mirror and
+// of smooth glass. Halving the roughness halves the difference at least.
+struct Limit {
+    Real alpha;
+    Real difference;
+};
+
+Color meanOver(const Bsdf& bsdf, const Vec3& wo) {
+    constexpr int perAxis = 128;
+    Color sum = Color::Zero();
+    for (int i = 0; i < perAxis * perAxis * 8; ++i) {
+        const Vec2 u((i % perAxis + 0.5) / perAxis, (i / perAxis % perAxis + 0.5) / perAxis);
+        const Real uLobe = (i / (perAxis * perAxis) + 0.5) / 8;
+        const auto sample = bsdf.sample(wo, u, uLobe, TransportMode::Importance);
+        if (!sample) continue;
+        const Real seen = 1 + 0.5 * sample->wi.x() + 0.3 * sample->wi.z() + 0.2 * sample->wi.y() * sample->wi.y();
+        sum += sample->f * (sample->delta() ? 1 : bsdf.cosine(sample->wi)) / sample->pdfW * seen;
+    }
+    return sum / (perAxis * perAxis * 8);
+}
+
+Color meanOverLobes(const Bsdf& bsdf, const Vec3& wo) {
+    Color sum = Color::Zero();
+    for (const BsdfSample& lobe : bsdf.deltaLobes(wo, TransportMode::Importance))
+        sum += lobe.f * (1 + 0.5 * lobe.wi.x() + 0.3 * lobe.wi.z() + 0.2 * lobe.wi.y() * lobe.wi.y());
+    return sum;
+}
+
+TEST(RoughnessToZero, MeetsTheMirror) {
+    const ShadingFrame shading;
+    const ConductorMaterial smooth(Metal::gold());
+    BsdfBuffer mirror;
+    smooth.build({}, shading, mirror);
+    for (const Real cosine : {1.0, 0.7, 0.3}) {
+        const Vec3 wo(std::sqrt(1 - cosine * cosine), 0, cosine);
+        const Color truth = meanOverLobes(*mirror.get(), wo);
+        for (const Real alpha : {3e-2, 1e-2, 3e-3, 1e-3, 1e-4}) {
+            const RoughConductorBsdf rough(shading, Metal::gold(), Ggx(alpha, alpha));
+            // The slopes' spread is α, their tail as α² log(1/α).
+            EXPECT_LE((meanOver(rough, wo) - truth).abs().maxCoeff(), 20 * alpha * alpha * std::log(10 / alpha) + 1e-7)
+                << "cosine " << cosine << ", alpha " << alpha;
+        }
+        BsdfBuffer below;
+        RoughConductorMaterial(Metal::gold(), 0.99e-4, 0).build({}, shading, below);
+        EXPECT_TRUE((meanOverLobes(*below.get(), wo) == truth).all()) << "smooth below Ggx::smoothBelow";
+    }
+}
+
+TEST(RoughnessToZero, MeetsSmoothGlass) {
+    for (const Real ior : {1.5, 1 / 1.5}) {
+        ShadingFrame shading;
+        shading.iorBelow = ior;
+        const DielectricBsdf smooth(shading);
+        for (const Real cosine : {1.0, 0.9}) {
+            const Vec3 wo(std::sqrt(1 - cosine * cosine), 0, cosine);
+            // Shares are chosen by one of 8 numbers here: compare the shares' own values.
+            for (const Real alpha : {1e-2, 1e-3, 1e-4}) {
+                const RoughDielectricBsdf rough(shading, Ggx(alpha, alpha));
+                for (const BsdfSample& lobe : smooth.deltaLobes(wo, TransportMode::Radiance)) {
+                    const Real uLobe = lobe.transmits() ? 0.999 : 0;
+                    const auto sample = rough.sample(wo, {0.3, 0.3}, uLobe, TransportMode::Radiance);
+                    ASSERT_TRUE(sample);
+                    EXPECT_LE((sample->wi - lobe.wi).norm(), 6 * alpha) << "alpha " << alpha;
+                    const Real share =
+                        lobe.transmits() ? 1 - fresnelDielectric(cosine, ior) : fresnelDielectric(cosine, ior);
+                    const Real weight = sample->f.x() * rough.cosine(sample->wi) / sample->pdfW * share;
+                    EXPECT_NEAR(weight, lobe.f.x(), 5 * alpha) << "alpha " << alpha;
+                }
+            }
+        }
+        BsdfBuffer below;
+        RoughDielectricMaterial(0, 0).build({}, shading, below);
+        EXPECT_NE(dynamic_cast<const DielectricBsdf*>(below.get()), nullptr);
+    }
+}
+
+// Of single scattering nothing is known but Smith's model itself: facets at random heights, seen by whoever is not
+// hidden. This walks that model: a height, a facet, one event, out or not.
+TEST(RoughDielectric, SingleScatteringIsThatOfRandomFacets) {
+    ShadingFrame shading;
+    shading.iorBelow = 1.5;
+    for (const Real alpha : {0.3, 0.8}) {
+        const Ggx facets(alpha, alpha);
+        const RoughDielectricBsdf glass(shading, facets);
+        for (const Real cosine : {0.9, 0.4}) {
+            const Vec3 wo(std::sqrt(1 - cosine * cosine), 0, cosine);
+            constexpr int n = 200'000;
+            Real reflectedShare = 0;
+            Real throughShare = 0;
+            for (int i = 0; i < n; ++i) {
+                Random random(8, {static_cast<std::uint64_t>(i)});
+                const Vec3 wm = facets.sampleVisible(wo, {random.uniform(), random.uniform()});
+                // A height that wo sees: h^Λ of all of that height are seen.
+                const Real height = std::pow(random.uniform(), 1 / (1 + facets.lambda(wo)));
+                const Real r = fresnelDielectric(wo.dot(wm), 1.5);
+                const Vec3 up = reflected(wo, wm);
+                if (up.z() > 0) reflectedShare += r * std::pow(height, facets.lambda(up)) / n;
+                const auto down = refracted(wo, wm, 1.5);
+                if (down && down->z() < 0) throughShare += (1 - r) * std::pow(1 - height, facets.lambda(*down)) / n;
+            }
+            const Real all = test::albedo(glass, shading, wo, 1e-4).x();
+            EXPECT_NEAR(all, reflectedShare + throughShare, 4.9 * 0.5 / std::sqrt(n) + 1e-4)
+                << "alpha " << alpha << ", cosine " << cosine;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace caustic
