@@ -5,14 +5,21 @@
 
 namespace caustic {
 
+namespace {
+
+// Which point of the lens. A light path asks for no point of a light at its vertices: that pair is free.
+Vec2 lensNumbers(const Scene& scene, int vertex, const PathNumbers& numbers, RayCounts& counts) {
+    if (!scene.needs().lens) return {0.5, 0.5};
+    ++counts.lensSamples;
+    return numbers.pair(Dimension::vertex(vertex, VertexUse::LightPoint));
+}
+
+}  // namespace
+
 std::optional<CameraConnection> connectToCamera(const Scene& scene, const Interaction& at, const Color& beta,
                                                 int vertex, const PathNumbers& numbers, RayCounts& counts) {
-    const bool lens = scene.needs().lens;
-    counts.lensSamples += lens ? 1 : 0;
-    // A light path asks for no point of a light at its vertices: the pair is free.
-    const Vec2 u = lens ? numbers.pair(Dimension::vertex(vertex, VertexUse::LightPoint)) : Vec2(0.5, 0.5);
     //! [ex-07.5]
-    const auto seen = scene.camera().sampleImportance(at.hit().point, u);
+    const auto seen = scene.camera().sampleImportance(at.hit().point, lensNumbers(scene, vertex, numbers, counts));
     if (!seen) return std::nullopt;
     const Color f = at.bsdf()->f(at.wo(), seen->wi, TransportMode::Importance);
     if ((f == 0).all()) return std::nullopt;

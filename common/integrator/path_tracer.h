@@ -16,7 +16,7 @@ enum class Direct {
 
 /// How a PathTracer goes about it.
 struct PathTracerSettings {
-    PathLimits limits;
+    PathLimits limits = {};
     Direct direct = Direct::Mis;
 };
 
