@@ -1,20 +1,25 @@
 """The gates of every chapter: its data agree with its tests; the starter compiles and fails by its stubs alone; the
 reference passes; the chapter builds from what is tagged up to it.
 
-Each chapter has two trees in build/gates/. The starter's is built from nothing (ccache makes that quick), or its warnings
-would be seen once only; the reference's stays, so that only what changed is built again.
+All chapters share one tree in build/gates/, which begins empty and grows: for each chapter in turn it gets the files that
+were there when the chapter ended, at first with the chapter's exercises as stubs, then with the reference's bodies. So
+each file is compiled once, and whatever a compiler warns of is seen.
+
+One chapter alone: cd tests/course && PYTHONPATH=../../tools CAUSTIC_BUILD_DIR=../../build/release python3 -m unittest -k Gates_06 test_gates
 """
 
 import json
+import os
 import re
-import shutil
 import subprocess
 import unittest
+from dataclasses import dataclass
+from pathlib import Path
 
 import strip
 from course_lib.chapters import all_chapters
 from course_lib.paths import ROOT
-from exercises.building import PRESET, build_tree, program
+from exercises.building import Built, build_tree, program
 from exercises.catalog import catalog_path, read_catalog
 from exercises.grading import run_tests
 from exercises.trees import files_to_build, lay_out, starter_overlay, work_folder
@@ -22,6 +27,23 @@ from schema_check import json_errors
 
 FEWEST_EXERCISES, MOST_EXERCISES = 4, 8
 OF_A_CHAPTER = re.compile(r"(?:chapters|tests)/(\d\d)_")
+TAGS = json.loads((Path(os.environ["CAUSTIC_BUILD_DIR"]) / "declarations.json").read_text())["files"]
+
+
+@dataclass
+class Stage:
+    """A chapter's graded tests, built and run on one state of the tree."""
+
+    built: Built
+    listed: list  # names of the tests in the program
+    outcomes: dict  # name -> what became of the test
+
+
+def setUpModule():
+    global work
+    context = work_folder("gates")
+    work = context.__enter__()
+    unittest.addModuleCleanup(context.__exit__, None, None, None)
 
 
 def listed_tests(test_program):
@@ -47,53 +69,50 @@ class ChapterGates:
         cls.number = int(cls.chapter[:2])
         cls.catalog = read_catalog(cls.chapter)
         cls.exercises = {id: e for id, e in strip.exercises_of_tree().items() if int(e.chapter) == cls.number}
-        context = work_folder("gates", keep=True)
-        cls.folder = context.__enter__()
-        cls.addClassCleanup(context.__exit__, None, None, None)
-        shutil.rmtree(cls.folder / f"{cls.chapter}_starter", ignore_errors=True)
-        overlay = starter_overlay(ROOT, lambda exercise: int(exercise.chapter) >= cls.number)
-        cls.starter, cls.starter_built = cls.build("starter", files_to_build(), overlay)
-        cls.tags = json.loads((cls.starter / "build" / PRESET / "declarations.json").read_text())["files"]
+        cls.starter = cls.stage("starter", starter_overlay(ROOT, lambda exercise: int(exercise.chapter) == cls.number))
+        cls.reference = cls.stage("reference", {})
 
     @classmethod
-    def build(cls, name, names, overlay, variables=()):
-        """Builds the graded tests and the chapter's own program."""
-        tree = cls.folder / f"{cls.chapter}_{name}"
-        lay_out(tree, names, overlay)
-        return tree, build_tree(tree, [cls.catalog.target, cls.chapter], f"{cls.chapter}, {name}", variables)
+    def stage(cls, name, overlay):
+        """Brings the tree to the chapter, builds its graded tests and its own program, and runs the tests."""
+        tree = work / "tree"
+        lay_out(tree, [file for file in files_to_build() if cls.is_known(file)], overlay)
+        built = build_tree(tree, [cls.catalog.target, cls.chapter], f"{cls.chapter}, {name}",
+                           [f"CAUSTIC_LAST_CHAPTER={cls.number}"])
+        if built.error:
+            return Stage(built, [], {})
+        test_program = program(tree, cls.catalog.target)
+        ran = run_tests(cls.catalog, test_program, work / "scratch")
+        return Stage(built, listed_tests(test_program), {o.test.name: o.outcome for o in ran})
 
-    def outcomes(self, tree):
-        ran = run_tests(self.catalog, program(tree, self.catalog.target), self.folder / "scratch")
-        return {o.test.name: o.outcome for o in ran}
+    @classmethod
+    def is_known(cls, name):
+        """Whether a file was there when this chapter ended."""
+        matched = OF_A_CHAPTER.match(name)
+        number = int(matched[1]) if matched else TAGS.get(name, {}).get("chapter", 0)
+        return number <= cls.number
 
     def test_the_starter_compiles_without_warnings(self):
-        self.assertEqual(self.starter_built.error, "")
-        self.assertEqual(self.starter_built.warnings, [])
+        self.assertEqual(self.starter.built.error, "")
+        self.assertEqual(self.starter.built.warnings, [])
 
     def test_every_graded_test_fails_on_the_starter_by_a_stub(self):
-        for name, outcome in self.outcomes(self.starter).items():
+        self.assertTrue(self.starter.outcomes, self.starter.built.error)
+        for name, outcome in self.starter.outcomes.items():
             self.assertEqual(outcome.state, "not implemented", f"{name}: {outcome.reason}")
 
     def test_the_reference_builds_from_what_is_tagged_up_to_the_chapter_and_passes(self):
-        names = [name for name in files_to_build() if self.is_known(name)]
-        tree, built = self.build("upto", names, {}, [f"CAUSTIC_LAST_CHAPTER={self.number}"])
-        self.assertEqual(built.error, "")
-        for name, outcome in self.outcomes(tree).items():
+        self.assertEqual(self.reference.built.error, "")
+        self.assertEqual(self.reference.built.warnings, [])
+        for name, outcome in self.reference.outcomes.items():
             self.assertTrue(outcome.passed, f"{name}: {outcome.state}: {outcome.reason}")
 
     def test_every_graded_test_is_listed(self):
-        self.assertEqual(sorted(listed_tests(program(self.starter, self.catalog.target))),
-                         sorted(test.name for test in self.catalog.tests))
+        self.assertEqual(sorted(self.reference.listed), sorted(test.name for test in self.catalog.tests))
 
     def test_exercises_lie_in_files_of_their_chapter(self):
         for exercise in self.exercises.values():
-            self.assertEqual(self.tags[exercise.path]["chapter"], self.number, exercise.place)
-
-    def is_known(self, name):
-        """Whether a file was there when this chapter ended."""
-        matched = OF_A_CHAPTER.match(name)
-        number = int(matched[1]) if matched else self.tags.get(name, {}).get("chapter", 0)
-        return number <= self.number
+            self.assertEqual(TAGS[exercise.path]["chapter"], self.number, exercise.place)
 
     def test_the_data_agree_with_the_sources(self):
         self.assertEqual(json_errors(catalog_path(self.chapter), "grading.schema.json"), [])

@@ -48,7 +48,7 @@ def build_tree(tree, targets, title, variables=()):
     folder = tree / "build" / PRESET
     if was_moved(tree, folder):
         shutil.rmtree(folder)
-    if not (folder / "build.ninja").exists():
+    if not is_configured(folder, variables):
         configured = execute(["cmake", "--preset", PRESET, *(f"-D{variable}" for variable in variables)],
                              title and f"configure {title}", tree)
         if configured.code != 0:
@@ -60,6 +60,15 @@ def build_tree(tree, targets, title, variables=()):
     finished = execute(command, title and f"build {title}", tree)
     output = readable(finished.output, tree)
     return Built("" if finished.code == 0 else first_error(output), output)
+
+
+def is_configured(folder, variables):
+    """Whether the build folder was configured with these variables."""
+    if not (folder / "build.ninja").exists():
+        return False
+    cache = (folder / "CMakeCache.txt").read_text(errors="replace")
+    cached = dict(re.findall(r"^(\w+):\w+=(.*)$", cache, re.MULTILINE))
+    return all(cached.get(name) == value for name, value in (variable.split("=", 1) for variable in variables))
 
 
 def was_moved(tree, folder):

@@ -7,10 +7,9 @@ from dataclasses import dataclass, field
 
 from course_lib.paths import ROOT, cores
 from course_lib.terminal import Step
-from exercises import student
 from exercises.building import build_tree, excerpt, foreign_files, program
 from exercises.catalog import GradedTest
-from exercises.trees import files_to_build, lay_out, starter_overlay, work_folder
+from exercises.trees import files_to_build, lay_out, work_folder
 from exercises.verdicts import NO_VERDICT, NOT_BUILT, Outcome, run_test
 
 
@@ -60,7 +59,7 @@ def grade_overlay(catalog, overlay, notes=(), time_limit=None, root=ROOT):
     """Grades a chapter on this tree with `overlay` (path -> bytes) put over it, in a fresh tree of its own."""
     with work_folder("grade") as folder:
         tree = folder / "tree"
-        lay_out(tree, files_to_build(root), {**starter_files(root), **overlay}, root)
+        lay_out(tree, files_to_build(root), overlay, root)
         built = build_tree(tree, [catalog.target], catalog.chapter)
         if built.error:
             return not_built(catalog, built.error, built.output, notes)
@@ -71,13 +70,6 @@ def grade_overlay(catalog, overlay, notes=(), time_limit=None, root=ROOT):
         outcomes = run_tests(catalog, program(tree, catalog.target), folder / "scratch", at_most(time_limit),
                              f"test {catalog.chapter}")
         return ChapterGrade(catalog, outcomes, notes=list(notes))
-
-
-def starter_files(root):
-    """What tells the build which files hold exercises, whatever a submission made of their markers."""
-    if student.is_student_tree(root):
-        return {}  # it has them already
-    return {f"{student.STARTER}/{path}": content for path, content in starter_overlay(root).items()}
 
 
 def run_tests(catalog, test_program, scratch, limit_of=lambda test: test.time_limit, title=""):

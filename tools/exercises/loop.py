@@ -50,7 +50,8 @@ def find_exercise(word, root=ROOT):
         if id in catalog.exercises:
             return catalog, id
     known = [id for catalog in catalogs(root) for id in catalog.exercises]
-    raise CourseError(f"there is no exercise '{word}' to write; there are {', '.join(known)}")
+    there_are = ", ".join(known) if len(known) <= 8 else f"{known[0]} to {known[-1]}; ./course status lists them"
+    raise CourseError(f"there is no exercise '{word}' to write; there are {there_are}")
 
 
 def grade_in_place(catalog, time_limit=None, root=ROOT):
