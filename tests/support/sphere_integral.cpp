@@ -82,4 +82,17 @@ double sphereIntegral(const std::function<double(const Vec3&)>& integrand, const
     return refined(integrand, byGauss(integrand, patch), tolerance, crowd, 1);
 }
 
+double hemisphereIntegral(const std::function<double(const Vec3&)>& integrand, double zLow) {
+    constexpr int bands = 16;
+    constexpr int sectors = 64;
+    constexpr double turn = 2 * std::numbers::pi / sectors;
+    double sum = 0;
+    for (int i = 0; i < bands * sectors; ++i) {
+        const double z = zLow + static_cast<double>(i / sectors) / bands;
+        const double angle = turn * (i % sectors) - std::numbers::pi;
+        sum += sphereIntegral(integrand, {z, z + 1.0 / bands, angle, angle + turn}, 1e-8, {});
+    }
+    return sum;
+}
+
 }  // namespace caustic::test
