@@ -47,7 +47,8 @@ std::optional<ImportanceSample> PinholeCamera::sampleImportance(const Vec3& poin
     const Real cosine = -wi.dot(forward_);
     // A pixel at distance 1 has the area pixelSize², and is seen from the pinhole under cos³ times that: We |cos| dω =
     // dx.
-    const Real importance = 1 / (pixelSize() * pixelSize() * std::pow(cosine, 4));
+    const Real squared = cosine * cosine;
+    const Real importance = 1 / (pixelSize() * pixelSize() * squared * squared);
     return ImportanceSample{*film, importance, wi, distance, cosine, 1, position_};
 }
 
@@ -55,7 +56,8 @@ CameraPdf PinholeCamera::pdf(const Ray& ray) const {
     const Vec3 direction = ray.direction.normalized();
     if (!filmPoint(direction)) return {};
     const Real area = pixelSize() * pixelSize() * Real(width_) * Real(height_);
-    return {0, 1 / (area * std::pow(direction.dot(forward_), 3))};
+    const Real cosine = direction.dot(forward_);
+    return {0, 1 / (area * cosine * cosine * cosine)};
 }
 
 // Of a pixel at distance 1; pixels are squares.

@@ -294,28 +294,5 @@ TEST(Light, DirectSamplesAgreeWithTheirDensity) {
     }
 }
 
-// An area light's directions, as chi-square sees them: density over solid angle, by intersecting its shape.
-TEST(Light, AreaLightsDirectionsHaveTheDensity) {
-    const Rectangle rectangle(Vec3(-1, 1, -1), Vec3(2, 0, 0), Vec3(0, 0, 3));
-    const auto shape = std::make_shared<Rectangle>(rectangle);
-    // The normal is U × V = −y: it shines down.
-    const AreaLight light(shape, std::make_shared<ConstantTexture>(Color::Ones()));
-    SurfacePoint from;
-    from.point = Vec3(0.3, 0, 0.2);
-    from.ng = Vec3::UnitY();
-    const test::DirectionSampling sampling = {[&](const Vec2& u, Real) -> std::optional<Vec3> {
-                                                  const auto sample = light.sampleDirect(from, u);
-                                                  if (!sample) return std::nullopt;
-                                                  return sample->wi;
-                                              },
-                                              [&](const Vec3& wi) {
-                                                  const auto hit = shape->intersect({from.point, wi});
-                                                  return hit ? light.pdfW(from.point, *hit) : 0;
-                                              }};
-    // Cells that the rectangle's edge cuts are integrated only roughly: enough samples to see a wrong density, not
-    // more.
-    EXPECT_GT(test::directionProbability(sampling, 10'000, 8), falseAlarm);
-}
-
 }  // namespace
 }  // namespace caustic
