@@ -20,7 +20,7 @@ std::vector<PathId> allPixels(const Camera& camera) {
 }  // namespace
 
 Rendering renderFor(const Integrator& integrator, double seconds,
-                    const std::function<void(const Rendering&, const TimedMoment&)>& look) {
+                    const std::function<bool(const Rendering&, const TimedMoment&)>& look) {
     checkPositive(seconds, "seconds to render");
     const Camera& camera = integrator.scene().camera();
     Rendering rendering = {Film(camera.width(), camera.height()), {}};
@@ -34,7 +34,7 @@ Rendering renderFor(const Integrator& integrator, double seconds,
         const double taken = threadSeconds() - start;
         longest = std::max(longest, taken);
         now = {now.samples + 1, now.seconds + taken};
-        if (look) look(rendering, now);
+        if (look && !look(rendering, now)) break;
     } while (now.seconds + longest <= seconds);
     return rendering;
 }

@@ -17,9 +17,10 @@ struct TimedMoment {
 /// would probably end too late isn't begun. At least one is done. After n passes the picture is that of render with n
 /// samples, up to rounding.
 /// @param seconds  of this thread's computing time, greater than 0
-/// @param look     shown the picture after each pass; its own time doesn't count. May be empty.
+/// @param look     shown the picture after each pass, and says whether to go on; its own time doesn't count. May be
+///                 empty.
 /// @throws InputError when seconds isn't greater than 0
 Rendering renderFor(const Integrator& integrator, double seconds,
-                    const std::function<void(const Rendering&, const TimedMoment&)>& look);
+                    const std::function<bool(const Rendering&, const TimedMoment&)>& look);
 
 }  // namespace caustic

@@ -43,7 +43,7 @@ SceneDescription DiffuseBox::scene(int width, int height) const {
     const BoxWall shining = lamp();
     scene.objects.push_back(rectangleLamp(shining.corner, shining.edgeU, shining.edgeV, Color::Constant(radiance)));
     scene.camera =
-        std::make_shared<PinholeCamera>(Vec3(0, -3.2, 0), Vec3(0, 0, -0.5), Vec3::UnitZ(), 0.7, width, height);
+        std::make_shared<PinholeCamera>(Vec3(0, -3.2, 0), Vec3(0, 0, -0.42), Vec3::UnitZ(), 0.66, width, height);
     return scene;
 }
 

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "core/figure.h"
+#include "runs.h"
+
+/// The chapter's figures, each drawn by one function; main.cpp is their table of contents.
+namespace caustic {
+
+/// The peers' box by all five methods in the same time: methods.png.
+void drawMethods(ChapterRuns& runs, FigureContext& context);
+
+/// Each strategy of bidirectional path tracing by itself, and weighted: pyramid.png.
+void drawPyramid(ChapterRuns& runs, FigureContext& context);
+
+/// A caustic, its image in a mirror and through glass, by all five methods in the same time: caustic.png.
+void drawCaustic(ChapterRuns& runs, FigureContext& context);
+
+/// Error over seconds in four scenes: speed_accuracy.csv and .png.
+void chartSpeedAccuracy(ChapterRuns& runs, FigureContext& context);
+
+/// Error over samples in the same scenes: convergence.csv and .png.
+void chartConvergence(ChapterRuns& runs, FigureContext& context);
+
+/// Where each method breaks, counted: failure.csv and .png.
+void chartFailures(FigureContext& context);
+
+/// What the lesson states beyond the charts: quantity.csv.
+void tabulateQuantities(ChapterRuns& runs, FigureContext& context);
+
+}  // namespace caustic

@@ -1,0 +1,46 @@
+#include <string>
+#include <vector>
+
+#include "chapter_inputs.h"
+#include "core/chapter.h"
+#include "core/take_option.h"
+#include "figures.h"
+#include "reference_command.h"
+#include "timed_command.h"
+
+int main(int argc, char** argv) {
+    using namespace caustic;
+    std::vector<const char*> arguments(argv, argv + argc);
+    const std::string scene = takeOption(arguments, "--scene", "peers_box");
+    const std::string minutes = takeOption(arguments, "--minutes", "5");
+    ChapterRuns runs(thisChapter.sourceDir);
+    const auto shared = [&runs](void (*draw)(ChapterRuns&, FigureContext&)) {
+        return [&runs, draw](FigureContext& context) { draw(runs, context); };
+    };
+    return runChapter(
+        thisChapter, static_cast<int>(arguments.size()), arguments.data(),
+        {
+            {"methods", shared(drawMethods)},
+            {"pyramid", shared(drawPyramid)},
+            {"caustic", shared(drawCaustic)},
+            {"speed_accuracy", shared(chartSpeedAccuracy), true},
+            {"convergence", shared(chartConvergence)},
+            {"failure", chartFailures},
+            {"quantity", shared(tabulateQuantities)},
+        },
+        {
+            {"--time", "SECONDS",
+             "Render by each method so long and write errors; with --scene diffuse_box, mirror_box, caustic or "
+             "peers_box",
+             [&scene](const std::string& seconds, const ChapterOptions& options) {
+                 renderTimed(seconds, scene, thisChapter, options);
+             }},
+            {"--recalibrate", "SECONDS", "Measure anew how much work each method does so long; writes work.json",
+             [](const std::string& seconds, const ChapterOptions&) { recalibrate(seconds, thisChapter); }},
+            {"--reference", "PICTURE",
+             "Make a converged picture anew: peers_box, caustic_mirror or caustic_floor; with --minutes of all threads",
+             [&minutes](const std::string& picture, const ChapterOptions& options) {
+                 makeReference(picture, minutes, thisChapter, options);
+             }},
+        });
+}
