@@ -159,6 +159,8 @@ private:
             addPart(event.item(), above, newAbove);
         }
         for (unsigned axis = 0; axis < 3; ++axis) {
+            below.events[axis].reserve(2 * below.items);
+            above.events[axis].reserve(2 * above.items);
             for (const Event& event : part.events[axis]) {
                 const Side side = sides_[event.item()];
                 if (side == Side::Below) below.events[axis].push_back(event);

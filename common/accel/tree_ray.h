@@ -7,20 +7,16 @@ namespace caustic {
 /// A ray in the coordinates of a tree in float, with what every node needs computed once.
 ///
 /// Such a tree has its own coordinates, in which all that it holds fits into the cube [-1, 1]³. The ray starts in or
-/// near that cube, its direction has unit length. What it meets there are candidates, to be looked at more closely by
-/// who knows the ray in full precision.
+/// near that cube, and its direction's largest component is between 1 and 2, so that nothing there is farther than
+/// t = 4. What it meets are candidates, to be looked at more closely by who knows the ray in full precision.
 struct TreeRay {
-    /// From t = 0 to tMax.
-    TreeRay(const std::array<float, 3>& from, const std::array<float, 3>& along, float most);
-
-    std::array<float, 3> origin;     ///< where t = 0
-    std::array<float, 3> direction;  ///< of unit length
-    std::array<float, 3> inverse;    ///< 1 / direction; where that is next to zero, huge but finite
-    float tMax;                      ///< nothing beyond it counts
+    std::array<float, 3> origin;   ///< where t = 0
+    std::array<float, 3> inverse;  ///< 1 / direction; where that is next to zero, huge but finite
+    float tMax;                    ///< nothing beyond it counts
 };
 
-/// How far from its true place a TreeRay may be when a node is tested against it, as long as t is at most 8: the
-/// origin's rounding (2⁻²⁴), the direction's over that way (8 · 2⁻²⁴), those of a crossing (4 · 2⁻²⁴), and that of the
+/// How far from its true place a TreeRay may be when a node is tested against it: the origin's rounding (2⁻²⁴), the
+/// direction's over the way to a plane of the cube (2 · 2⁻²⁴), those of a crossing (4 · 2⁻²⁴), and that of the
 /// direction's replaced components (far less). Nodes are larger by it on all sides.
 inline constexpr float treeRayPadding = 0x1p-20F;
 

@@ -67,7 +67,7 @@ public:
     }
 
 private:
-    static constexpr int bins = 16;
+    static constexpr int bins = 32;
     static constexpr int deepestSplit = 24;  // below it ranges are halved
 
     struct Bin {

@@ -13,9 +13,10 @@ namespace caustic {
 
 /// A tree in float over blocks of eight triangles, of either kind.
 ///
-/// What the blocks nominate waits until the ray is through, or the list is full. A nominee that is sure to be hit ends
-/// the ray there, within its error; so most rays have one triangle left in the end, and only that one's corners are
-/// fetched and tested in `Real`.
+/// The tree only says where to look, with margins for its rounding. The blocks hold what the watertight test needs, in
+/// `Real`, so a hit is final as soon as it is found, and nothing of the mesh is fetched for it. Measured: blocks in
+/// float that nominate candidates are half as large, but then each ray waits for the corners of one to four triangles
+/// that lie elsewhere, and answers take 1.4 times as long.
 template <typename Tree>
 class BlockMeshTree final : public MeshTree {
 public:

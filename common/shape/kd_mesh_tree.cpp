@@ -2,36 +2,12 @@
 
 #include <utility>
 
+#include "shape/nearest_triangle.h"
 #include "shape/triangle_clip.h"
-#include "shape/watertight.h"
 
 namespace caustic {
 
 namespace {
-
-// The nearest hit so far; its t is where the ray ends from now on.
-class NearestTriangle {
-public:
-    NearestTriangle(const MeshData& mesh, const Ray& ray) : mesh_(mesh), sheared_(ray) {}
-
-    // Whether the triangle is hit, and nearer than all before.
-    bool test(std::uint32_t triangle) {
-        const auto& [i, j, k] = mesh_.triangles[triangle];
-        const auto found = intersectWatertight(sheared_, mesh_.positions[i], mesh_.positions[j], mesh_.positions[k]);
-        if (!found) return false;
-        sheared_.ray.tMax = found->t;
-        nearest_ = MeshHit{*found, triangle};
-        return true;
-    }
-
-    Real tMax() const { return sheared_.ray.tMax; }
-    const std::optional<MeshHit>& nearest() const { return nearest_; }
-
-private:
-    const MeshData& mesh_;
-    ShearedRay sheared_;
-    std::optional<MeshHit> nearest_;
-};
 
 KdTree plant(const MeshData& mesh, const std::vector<std::uint32_t>& triangles, const KdRule& rule) {
     std::vector<Bounds3> boxes;
@@ -65,7 +41,6 @@ bool BruteForceMesh::occluded(const Ray& ray) const {
 
 std::optional<MeshHit> BruteForceMesh::intersectCounted(const Ray& ray, MeshWork& work) const {
     work.tests += triangles_.size();
-    work.confirmed += triangles_.size();
     return intersect(ray);
 }
 
@@ -94,7 +69,6 @@ std::optional<MeshHit> KdMeshTree::intersectCounted(const Ray& ray, MeshWork& wo
     Ray shortened = ray;
     const auto test = [&](std::uint32_t item) {
         ++work.tests;
-        ++work.confirmed;
         if (search.test(triangles_[item])) shortened.tMax = search.tMax();
         return false;
     };

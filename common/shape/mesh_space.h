@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "accel/tree_ray.h"
 #include "math/bounds.h"
 #include "math/ray.h"
@@ -18,39 +16,39 @@ public:
     /// A point in the tree's coordinates.
     Vec3 toTree(const Vec3& point) const { return (point - center_) * scale_; }
 
-    /// Largest distance from the origin, in the tree's coordinates; at most √3.
-    Real radius() const { return radius_; }
-
 private:
     friend class MeshRay;
 
     Vec3 center_;
     Real scale_;
-    Real radius_;
     Bounds3 box_;  // in the tree's coordinates, a little larger than the mesh
 };
 
 /// A ray on its way through a mesh's tree: it starts where it enters the mesh's box, however far away that is.
 class MeshRay {
 public:
-    /// Nothing when the ray misses the mesh's box.
-    static std::optional<MeshRay> through(const MeshSpace& space, const Ray& ray);
+    /// @param ray  of any length
+    MeshRay(const MeshSpace& space, const Ray& ray);
 
     /// Whether the ray comes from so far away that its place in the tree isn't sure to a float's precision: from more
     /// than 2²⁰ sizes of the mesh. Who asks has to look at all triangles then.
-    static bool comesFromTooFar(const MeshSpace& space, const Ray& ray);
+    bool comesFromTooFar() const { return tooFar_; }
 
-    /// The t of the tree's ray at which the given one has t, rounded up.
-    float toTree(Real t) const { return static_cast<float>((t * length_ - start_) * (1 + 1e-6)); }
+    /// Whether it misses the mesh's box.
+    bool misses() const { return !(tree.tMax >= 0); }
+
+    /// Ends the tree's ray where the given one has t, or a little later.
+    void endAt(Real t) { tree.tMax = static_cast<float>((t * length_ - start_) * roundedUp); }
 
     /// The same ray in the tree's coordinates.
     TreeRay tree;
 
 private:
-    MeshRay(const TreeRay& ray, Real length, Real start) : tree(ray), length_(length), start_(start) {}
+    static constexpr Real roundedUp = 1 + 1e-6;
 
-    Real length_;  // of the direction, in the tree's coordinates
-    Real start_;   // way to where the tree's ray starts
+    Real length_;  // t of the tree's ray for one of the given ray
+    Real start_;   // where the tree's ray starts
+    bool tooFar_;
 };
 
 }  // namespace caustic

@@ -19,9 +19,8 @@ struct MeshHit : TriangleHit {
 
 /// What a ray costs, counted.
 struct MeshWork {
-    std::uint64_t nodes = 0;      ///< that were visited
-    std::uint64_t tests = 0;      ///< of single triangles, or of blocks of eight at once
-    std::uint64_t confirmed = 0;  ///< triangles that were tested in full precision
+    std::uint64_t nodes = 0;  ///< that were visited
+    std::uint64_t tests = 0;  ///< of single triangles, or of blocks of eight at once
 };
 
 /// How large a tree is.

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <utility>
 
 #include "core/not_implemented.h"
 #include "math/double_double.h"
+#include "shape/watertight_error.h"
 
 namespace caustic {
 
@@ -22,21 +21,10 @@ Real differenceOfProducts(Real a, Real b, Real c, Real d) {
 
 Real largest(Real a, Real b, Real c) { return std::max({std::abs(a), std::abs(b), std::abs(c)}); }
 
-// Bound on the rounding error of n operations: Higham 2002, lemma 3.1.
-constexpr Real gamma(int n) {
-    constexpr Real unitRoundoff = std::numeric_limits<Real>::epsilon() / 2;
-    return n * unitRoundoff / (1 - n * unitRoundoff);
-}
-
-// Bound on the rounding error of u za + v zb + w zc below, from the largest coordinates in the ray's space and the
-// largest of u, v, w. Source: Pharr, Jakob, Humphreys 2016, Physically Based Rendering, 3rd ed., section 3.9.6.
-Real numeratorError(Real x, Real y, Real z, Real edge) {
-    const Real errorX = gamma(5) * (x + z);
-    const Real errorY = gamma(5) * (y + z);
-    const Real errorZ = gamma(3) * z;
-    const Real errorEdge = 2 * (gamma(2) * x * y + errorY * x + errorX * y);
-    return 3 * (gamma(3) * edge * z + errorEdge * z + errorZ * edge);
-}
+// The axes in their order, given that of the direction's largest component: for a positive one, and for a negative one.
+using Axes = std::array<int, 3>;
+constexpr std::array<std::array<Axes, 3>, 2> axesFor = {
+    {{{{1, 2, 0}, {2, 0, 1}, {0, 1, 2}}}, {{{2, 1, 0}, {0, 2, 1}, {1, 0, 2}}}}};
 
 // A vertex in the ray's space.
 struct Sheared {
@@ -64,10 +52,11 @@ Real exactNumerator(const ShearedRay& sheared, const Vec3& a, const Vec3& b, con
 }  // namespace
 
 ShearedRay::ShearedRay(const Ray& original) : ray(original) {
-    int z = 0;
-    original.direction.cwiseAbs().maxCoeff(&z);
-    axis = {(z + 1) % 3, (z + 2) % 3, z};
-    if (original.direction[z] < 0) std::swap(axis[0], axis[1]);
+    // Looked up: a branch for each question would be guessed wrongly once a ray.
+    const Vec3 size = original.direction.cwiseAbs();
+    const int y = size.y() > size.x() ? 1 : 0;
+    const int z = size.z() > std::max(size.x(), size.y()) ? 2 : y;
+    axis = axesFor[original.direction[z] < 0 ? 1 : 0][static_cast<std::size_t>(z)];
     const Real dz = original.direction[z];
     shear = {original.direction[axis[0]] / dz, original.direction[axis[1]] / dz, 1 / dz};
 }
@@ -87,7 +76,7 @@ std::optional<TriangleHit> intersectWatertight(const ShearedRay& sheared, const 
     if (determinant == 0) return std::nullopt;
 
     Real numerator = u * az + v * bz + w * cz;
-    const Real error = numeratorError(largest(ax, bx, cx), largest(ay, by, cy), largest(az, bz, cz), largest(u, v, w));
+    const Real error = watertightError(largest(ax, bx, cx), largest(ay, by, cy), largest(az, bz, cz), largest(u, v, w));
     if (std::abs(numerator) <= error) numerator = exactNumerator(sheared, a, b, c);
     const Real t = sheared.shear.z() * numerator / determinant;
     if (!sheared.ray.reaches(t)) return std::nullopt;
