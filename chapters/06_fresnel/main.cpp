@@ -1,0 +1,17 @@
+#include "chapter_inputs.h"
+#include "core/chapter.h"
+#include "figures.h"
+
+int main(int argc, char** argv) {
+    using namespace caustic;
+    return runChapter(thisChapter, argc, argv,
+                      {
+                          {"glass_without", drawGlassWithoutFresnel},
+                          {"glass_with", drawGlassWithFresnel},
+                          {"reflectance", chartReflectance},
+                          {"roughness_sheet", drawRoughnessSheet},
+                          {"speed_accuracy", chartSpeedAccuracy, true},
+                          {"failure", chartFailures},
+                          {"quantity", tabulateQuantities},
+                      });
+}
