@@ -6,15 +6,18 @@
 #include <algorithm>
 #include <assimp/Importer.hpp>
 #include <cctype>
-#include <fstream>
 #include <string>
 
 #include "core/error.h"
+#include "core/text.h"
 #include "shape/obj_file.h"
+#include "shape/ply_check.h"
 
 namespace caustic {
 
 namespace {
+
+constexpr std::size_t mostBytes = std::size_t{1} << 30;
 
 Vec3 toVec3(const aiVector3D& v) { return {Real(v.x), Real(v.y), Real(v.z)}; }
 
@@ -46,16 +49,20 @@ void append(const aiMesh& from, MeshData& mesh) {
     }
 }
 
-// assimp 5.2 reads on for ever where the header of a PLY file doesn't end.
-void checkPlyHeader(const std::filesystem::path& path) {
-    constexpr std::size_t longestHeader = std::size_t{1} << 20;
-    std::ifstream file(path, std::ios::binary);
-    std::string start(longestHeader, ' ');
-    file.read(start.data(), static_cast<std::streamsize>(start.size()));
-    start.resize(static_cast<std::size_t>(file.gcount()));
-    const std::size_t end = start.find("end_header");
-    if (end == std::string::npos || start.find('\n', end) == std::string::npos) {
-        throw InputError({path.string(), 0}, "", "has no end_header: no PLY file, or only its beginning");
+// Where assimp 5.2 cuts faces into triangles, one without corners stops the program, by an assertion.
+void checkFaces(const aiScene& scene, const std::filesystem::path& path) {
+    for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
+        const aiMesh& mesh = *scene.mMeshes[i];
+        const auto broken = [&](const aiFace& face) {
+            const auto beyond = [&](unsigned corner) { return corner >= mesh.mNumVertices; };
+            return face.mNumIndices == 0 || std::any_of(face.mIndices, face.mIndices + face.mNumIndices, beyond);
+        };
+        const aiFace* const first = mesh.mFaces;
+        const aiFace* const end = first + mesh.mNumFaces;
+        const aiFace* const found = std::find_if(first, end, broken);
+        if (found == end) continue;
+        throw InputError({path.string(), 0}, "face " + std::to_string(found - first),
+                         "has no corners, or one that isn't there");
     }
 }
 
@@ -64,7 +71,11 @@ MeshData loadByAssimp(const std::filesystem::path& path) {
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     const unsigned steps = aiProcess_Triangulate | aiProcess_JoinIdenticalVertices | aiProcess_SortByPType |
                            aiProcess_PreTransformVertices;
-    const aiScene* scene = importer.ReadFile(path.string(), steps);
+    const aiScene* scene = importer.ReadFile(path.string(), 0);
+    if (scene != nullptr) {
+        checkFaces(*scene, path);
+        scene = importer.ApplyPostProcessing(steps);
+    }
     if (scene == nullptr) {
         const std::string reason = importer.GetErrorString();
         throw InputError({path.string(), 0}, "", reason.substr(0, reason.find('\n')));
@@ -93,7 +104,7 @@ MeshData loadMesh(const std::filesystem::path& path) {
     if (extension == ".obj") return loadObj(path);
 
     checkReadable(path);
-    if (extension == ".ply") checkPlyHeader(path);
+    if (extension == ".ply") checkPly(readTextFile(path, mostBytes), path);
     MeshData mesh = loadByAssimp(path);
     try {
         checkMesh(mesh);

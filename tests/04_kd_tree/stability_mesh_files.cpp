@@ -97,6 +97,61 @@ TEST(ObjFile, MissingFilesAndFoldersAreRefused) {
     EXPECT_THROW(loadMesh(folder.write("half.ply", whole.substr(0, 150))), InputError);
 }
 
+// The same mesh in each of PLY's formats, cut short anywhere: refused, but for a cut within the very last number of a
+// text.
+TEST(PlyFile, CutShortAnywhereIsRefused) {
+    const test::TemporaryFolder folder;
+    const std::string elements =
+        " 1.0\ncomment a square\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+        "element face 2\nproperty list uchar int vertex_indices\nend_header\n";
+    const float places[] = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
+    const std::int32_t corners[2][3] = {{0, 1, 2}, {0, 2, 3}};
+    const auto append = [](std::string& to, const void* value, std::size_t size, bool big) {
+        std::string bytes(static_cast<const char*>(value), size);
+        if (big) std::ranges::reverse(bytes);
+        to += bytes;
+    };
+    std::vector<std::string> files = {"ply\nformat ascii" + elements +
+                                      "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n"};
+    for (const bool big : {false, true}) {
+        std::string file = std::string("ply\nformat binary_") + (big ? "big" : "little") + "_endian" + elements;
+        for (const float place : places) append(file, &place, sizeof(place), big);
+        for (const auto& face : corners) {
+            file += '\3';
+            for (const std::int32_t corner : face) append(file, &corner, sizeof(corner), big);
+        }
+        files.push_back(file);
+    }
+    for (const std::string& whole : files) {
+        const MeshData mesh = loadMesh(folder.write("whole.ply", whole));
+        EXPECT_EQ(mesh.triangles.size(), 2U);
+        EXPECT_EQ(mesh.positions.size(), 4U);
+        const std::size_t shortest = whole.ends_with('\n') ? 2 : 1;
+        for (std::size_t size = 0; size + shortest <= whole.size(); ++size)
+            EXPECT_THROW(loadMesh(folder.write("cut.ply", whole.substr(0, size))), InputError) << size << " bytes";
+    }
+}
+
+TEST(PlyFile, WhatItAnnouncesMustMakeSense) {
+    const test::TemporaryFolder folder;
+    const auto load = [&](const std::string& announced, const std::string& data) {
+        return loadMesh(folder.write("bad.ply", "ply\nformat ascii 1.0\n" + announced + "end_header\n" + data));
+    };
+    const std::string vertices = "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n";
+    const std::string faces = "element face 1\nproperty list uchar int vertex_indices\n";
+    const std::string triangle = "0 0 0\n1 0 0\n0 1 0\n";
+    EXPECT_EQ(load(vertices + faces, triangle + "3 0 1 2\n").triangles.size(), 1U);
+    EXPECT_THROW(load("property float x\n" + vertices + faces, triangle + "3 0 1 2\n"), InputError);
+    EXPECT_THROW(load("element vertex -3\n", ""), InputError);
+    EXPECT_THROW(load("element vertex many\n", ""), InputError);
+    EXPECT_THROW(load("element vertex 1\nproperty colour x\n", "1"), InputError);
+    EXPECT_THROW(load(vertices + "element face 1\nproperty list float int vertex_indices\n", triangle + "3 0 1 2\n"),
+                 InputError);
+    EXPECT_THROW(load(vertices + faces, triangle + "-3 0 1 2\n"), InputError);
+    EXPECT_THROW(load(vertices + faces, triangle + "0\n"), InputError) << "a face without corners";
+    EXPECT_THROW(load(vertices + faces, triangle + "3 0 1 7\n"), InputError) << "a vertex that isn't there";
+}
+
 TEST(ObjFile, ReadsWhatFilesHold) {
     const MeshData mesh =
         parseObj("# all forms of a corner\r\nmtllib nowhere.mtl\r\no thing\r\ng a b\r\ns 1\r\n" + square +
