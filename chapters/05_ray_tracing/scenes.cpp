@@ -83,16 +83,22 @@ SceneDescription meshScene(const SceneObject& object, int width, int height) {
     const Bounds3 box = object.shape->bounds();
     const Real size = box.diagonal().norm() / 2;
     const Vec3 middle = box.center();
+    const auto wall = [&](const Vec3& inSizes, const Vec3& normal, const Color& reflectance) {
+        return SceneObject{std::make_shared<Plane>(middle + size * inSizes, normal),
+                           std::make_shared<DiffuseMaterial>(reflectance),
+                           {},
+                           nullptr};
+    };
+    const Real floor = (box.min().y() - middle.y()) / size - 1e-3;
     SceneDescription scene;
+    // A room all around: what is behind the camera and beside it shows in a mirror.
     scene.objects = {object,
-                     {std::make_shared<Plane>(Vec3(middle.x(), box.min().y() - 1e-3 * size, middle.z()), Vec3::UnitY()),
-                      std::make_shared<DiffuseMaterial>(Color::Constant(0.7)),
-                      {},
-                      nullptr},
-                     {std::make_shared<Plane>(middle - Vec3(0, 0, 6 * size), Vec3::UnitZ()),
-                      std::make_shared<DiffuseMaterial>(Color(0.62, 0.68, 0.75)),
-                      {},
-                      nullptr}};
+                     wall({0, floor, 0}, Vec3::UnitY(), Color::Constant(0.7)),
+                     wall({0, 0, -6}, Vec3::UnitZ(), Color(0.62, 0.68, 0.75)),
+                     wall({0, 0, 9}, -Vec3::UnitZ(), Color(0.75, 0.7, 0.62)),
+                     wall({-7, 0, 0}, Vec3::UnitX(), Color(0.22, 0.45, 0.62)),
+                     wall({7, 0, 0}, -Vec3::UnitX(), Color(0.7, 0.35, 0.18)),
+                     wall({0, 6, 0}, -Vec3::UnitY(), Color::Constant(0.75))};
     SceneObject lamp;
     // U × V points down and towards the object.
     lamp.shape =

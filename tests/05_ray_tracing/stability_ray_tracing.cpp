@@ -25,6 +25,7 @@
 #include "sampling/stratified_sampler.h"
 #include "sampling/warp.h"
 #include "shape/box.h"
+#include "shape/instance.h"
 #include "shape/plane.h"
 #include "shape/rectangle.h"
 #include "shape/sphere.h"
@@ -206,6 +207,8 @@ TEST(BadInput, LightsAndShapes) {
     EXPECT_THROW(AreaLight(std::make_shared<Plane>(Vec3::Zero(), Vec3::UnitY()), white()), InputError);
     EXPECT_THROW(AreaLight(nullptr, white()), InputError);
     EXPECT_THROW(AreaLight(std::make_shared<Sphere>(Vec3::Zero(), 1.0), nullptr), InputError);
+    EXPECT_THROW(Sphere({0, 0, 0}, -1), InputError);
+    EXPECT_THROW(Instance(std::make_shared<Sphere>(Vec3::Zero(), 1.0), Transform::scaling({1, 0, 1})), InputError);
     EXPECT_THROW(Rectangle({0, 0, 0}, {1, 0, 0}, {1, 1, 0}), InputError);
     EXPECT_THROW(Rectangle({0, 0, 0}, {0, 0, 0}, {1, 1, 0}), InputError);
     EXPECT_THROW(Rectangle({0, nan, 0}, {1, 0, 0}, {0, 1, 0}), InputError);
@@ -218,7 +221,10 @@ TEST(BadInput, CameraFilmSamplerAndSettings) {
     EXPECT_THROW(PinholeCamera({0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 4, 9, 9), InputError);
     EXPECT_THROW(PinholeCamera({0, 0, 0}, {0, 0, 1}, {0, 1, 0}, nan, 9, 9), InputError);
     EXPECT_THROW(PinholeCamera({0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 1, 0, 9), InputError);
+    EXPECT_THROW(PinholeCamera({0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 1, 1 << 20, 1 << 20), InputError);
+    EXPECT_THROW(PinholeCamera({0, 0, infinity}, {0, 0, 1}, {0, 1, 0}, 1, 9, 9), InputError);
     EXPECT_THROW(Film(0, 4), InputError);
+    EXPECT_THROW(Film(4, -1), InputError);
     EXPECT_THROW(Film(1 << 20, 1 << 20), InputError);
     EXPECT_THROW(StratifiedSampler(1, 0), InputError);
     const Scene empty({});
@@ -237,6 +243,9 @@ TEST(BadInput, Scenes) {
     EXPECT_THROW(Scene({{{ball, nullptr, {}, nullptr}}, {}, Color::Zero(), nullptr}), InputError) << "nothing at all";
     EXPECT_THROW(Scene({{{ball, clear, Interior{0, nullptr, 0}, nullptr}}, {}, Color::Zero(), nullptr}), InputError);
     EXPECT_THROW(Scene({{{ball, clear, Interior{nan, nullptr, 0}, nullptr}}, {}, Color::Zero(), nullptr}), InputError);
+    EXPECT_THROW(Scene({{{ball, clear, Interior{-1.5, nullptr, 0}, nullptr}}, {}, Color::Zero(), nullptr}), InputError);
+    EXPECT_THROW(Scene({{{ball, clear, Interior{infinity, nullptr, 0}, nullptr}}, {}, Color::Zero(), nullptr}),
+                 InputError);
     EXPECT_THROW(Scene({{}, {nullptr}, Color::Zero(), nullptr}), InputError);
     EXPECT_THROW(Scene({{}, {}, Color(-1, 0, 0), nullptr}), InputError);
 }
