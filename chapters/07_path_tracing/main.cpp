@@ -5,6 +5,7 @@
 #include "core/chapter.h"
 #include "core/take_option.h"
 #include "figures.h"
+#include "needs_command.h"
 #include "reference_command.h"
 #include "timed_command.h"
 
@@ -13,6 +14,8 @@ int main(int argc, char** argv) {
     std::vector<const char*> arguments(argv, argv + argc);
     const std::string scene = takeOption(arguments, "--scene", "peers_box");
     const std::string minutes = takeOption(arguments, "--minutes", "5");
+    const std::string method = takeOption(arguments, "--method", "2");
+    const std::string samples = takeOption(arguments, "--samples", "1");
     ChapterRuns runs(thisChapter.sourceDir);
     const auto shared = [&runs](void (*draw)(ChapterRuns&, FigureContext&)) {
         return [&runs, draw](FigureContext& context) { draw(runs, context); };
@@ -37,6 +40,9 @@ int main(int argc, char** argv) {
              }},
             {"--recalibrate", "SECONDS", "Measure anew how much work each method does so long; writes work.json",
              [](const std::string& seconds, const ChapterOptions&) { recalibrate(seconds, thisChapter); }},
+            {"--trace", "SCENE",
+             "Only trace paths, for a profiler: scene 0 to 4 of growing needs; with --method 0 to 4 and --samples",
+             [&](const std::string& which, const ChapterOptions&) { tracePaths(which, method, samples); }},
             {"--reference", "PICTURE",
              "Make a converged picture anew: peers_box, caustic_mirror or caustic_floor; with --minutes of all threads",
              [&minutes](const std::string& picture, const ChapterOptions& options) {

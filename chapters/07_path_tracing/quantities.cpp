@@ -4,16 +4,14 @@
 #include <utility>
 
 #include "camera/box_filter.h"
-#include "camera/pinhole_camera.h"
 #include "core/csv_table.h"
 #include "core/progress.h"
 #include "figures.h"
 #include "image/picture_error.h"
-#include "light/point_light.h"
 #include "measured_scenes.h"
 #include "missing_light.h"
 #include "modeler/diffuse_box.h"
-#include "modeler/peers_box.h"
+#include "needs_command.h"
 #include "radiosity.h"
 #include "sampling/independent_sampler.h"
 
@@ -94,20 +92,12 @@ void addReferenceErrors(CsvTable& table, FigureContext& context) {
     }
 }
 
-// A closed room of one colour under a point lamp: nothing specular, no lens, no medium, no texture.
-SceneDescription plainRoom() {
-    SceneDescription room = DiffuseBox{}.scene(32, 32);
-    std::erase_if(room.objects, [](const SceneObject& one) { return one.emission != nullptr; });
-    room.lights = {std::make_shared<PointLight>(Vec3(0, 0, 0.8), Color::Ones())};
-    return room;
-}
-
 void addCounts(CsvTable& table, FigureContext& context) {
     const IndependentSampler sampler(context.seed());
     const BoxFilter filter;
-    for (const bool rich : {false, true}) {
-        const Scene scene(rich ? peersBox(32, 32) : plainRoom());
-        const std::string where = rich ? "peers' box: " : "diffuse room with a point lamp: ";
+    for (const NeedyScene& needy : needyScenes()) {
+        const Scene scene(needy.make());
+        const std::string where = "up to " + needy.name + ": ";
         for (const Method method : {Method::Mis, Method::Light, Method::Bidirectional}) {
             const auto integrator = makeIntegrator(method, scene, sampler, filter, 10);
             const RayCounts counts = render(*integrator, 4, context.threads()).counts;

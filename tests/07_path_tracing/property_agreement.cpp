@@ -13,6 +13,7 @@ TEST(Agreement, MethodsMeetBlockByBlock) {
     EXPECT_LE(agreement.largestT, agreement.mostT) << agreement.worst;
     EXPECT_NEAR(agreement.variance, agreement.expectedVariance, agreement.varianceBand) << agreement.worst;
     EXPECT_LE(agreement.largestMeanT, 5) << agreement.worst;
+    EXPECT_EQ(agreement.badSamples, 0);
     EXPECT_LE(agreement.largestError, 0.015) << "too few paths to say anything";
 }
 

@@ -139,15 +139,22 @@ Estimate estimateOf(const std::vector<double>& values) {
 }
 
 // Each block's luminance, and at the end the whole picture's, over independent batches.
-std::vector<Estimate> measure(const Scene& scene, const MakeIntegrator& make, bool masked, int batches,
-                              std::int64_t samples, std::uint64_t seed, int threads) {
+struct Measured {
+    std::vector<Estimate> estimates;
+    std::int64_t bad = 0;
+};
+
+Measured measure(const Scene& scene, const MakeIntegrator& make, bool masked, int batches, std::int64_t samples,
+                 std::uint64_t seed, int threads) {
     std::vector<std::vector<double>> values(blocks + 1, std::vector<double>(static_cast<std::size_t>(batches), 0));
+    std::vector<std::int64_t> bad(static_cast<std::size_t>(batches), 0);
     parallelFor(batches, threads, [&](std::int64_t batch) {
         const IndependentSampler sampler(seed + static_cast<std::uint64_t>(batch));
         const BoxFilter filter;
         std::unique_ptr<Integrator> integrator = make(scene, sampler, filter);
         if (masked) integrator = std::make_unique<WithoutSpecularFirst>(scene, sampler, filter, std::move(integrator));
         const Film film = render(*integrator, samples, 1).film;
+        bad[static_cast<std::size_t>(batch)] = film.badSamples();
         for (int y = 0; y < agreementSide; ++y) {
             for (int x = 0; x < agreementSide; ++x) {
                 const double share = luminance(film.value({x, y})) / (blockSide * blockSide);
@@ -157,9 +164,10 @@ std::vector<Estimate> measure(const Scene& scene, const MakeIntegrator& make, bo
             }
         }
     });
-    std::vector<Estimate> estimates;
-    for (const auto& block : values) estimates.push_back(estimateOf(block));
-    return estimates;
+    Measured measured;
+    for (const auto& block : values) measured.estimates.push_back(estimateOf(block));
+    for (const std::int64_t count : bad) measured.bad += count;
+    return measured;
 }
 
 double tOf(const Estimate& one, const Estimate& other) {
@@ -227,7 +235,10 @@ Agreement compareMethods(const std::vector<AgreementScene>& scenes, const std::v
                 const auto estimates = [&](const AgreementMethod& method) {
                     const std::uint64_t own = seed;
                     seed += static_cast<std::uint64_t>(batches);
-                    return measure(scene, method.make, masked, batches, samples, own, threads);
+                    const Measured measured = measure(scene, method.make, masked, batches, samples, own, threads);
+                    all.samples += batches * samples * agreementSide * agreementSide;
+                    all.badSamples += measured.bad;
+                    return measured.estimates;
                 };
                 const std::vector<Estimate> one = estimates(methods[i]);
                 const std::vector<Estimate> other = estimates(methods[j]);

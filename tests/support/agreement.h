@@ -54,6 +54,8 @@ struct Agreement {
     double varianceBand = 0;      ///< 4 √(2/n)
     double largestMeanT = 0;      ///< of whole pictures' means, standard errors apart
     double largestError = 0;      ///< largest standard error of a picture's mean, as a share of it
+    std::int64_t samples = 0;     ///< paths of all pictures
+    std::int64_t badSamples = 0;  ///< how many contributions were no finite numbers
     std::string worst;            ///< where |t| is largest, or means are farthest apart
 
     /// Whether the blocks agree and scatter as they should, and the means are within 5 standard errors.

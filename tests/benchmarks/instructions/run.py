@@ -1,0 +1,62 @@
+"""Instructions a path of chapter 07's methods, in five scenes each of which needs something more than the one before.
+
+Counted by valgrind's cachegrind, as the difference of two runs with more and with fewer paths, so that what a program takes to
+start isn't in it. Writes figures/07_path_tracing/instructions.csv.
+"""
+
+import argparse
+import re
+import shutil
+import subprocess
+import sys
+
+from course_lib import cmake
+from course_lib.errors import CourseError
+from course_lib.paths import FIGURES, program, shown
+from course_lib.terminal import Step, say, table
+
+CHAPTER = "07_path_tracing"
+TABLE = FIGURES / CHAPTER / "instructions.csv"
+SCENES = ("point lamp", "area lamp", "mirror", "glass", "absorption and textures")
+METHODS = {2: "path tracing with MIS", 3: "light tracing", 4: "bidirectional path tracing"}
+FEW, MANY = 1, 9  # paths a pixel
+PIXELS = 32 * 32
+
+
+def instructions(scene, method, samples):
+    command = ["valgrind", "--tool=cachegrind", "--cache-sim=no", "--cachegrind-out-file=/dev/null", program(CHAPTER),
+               "--trace", scene, "--method", method, "--samples", samples]
+    finished = subprocess.run([str(word) for word in command], stdin=subprocess.DEVNULL, capture_output=True, text=True)
+    found = re.search(r"I\s+refs:\s+([\d,]+)", finished.stderr)
+    if finished.returncode != 0 or not found:
+        raise CourseError(f"valgrind can't count: {finished.stderr.strip().splitlines()[-1]}")
+    return int(found[1].replace(",", ""))
+
+
+def main():
+    argparse.ArgumentParser(prog="course bench instructions", description=__doc__.partition("\n")[0]).parse_args()
+    if shutil.which("valgrind") is None:
+        raise CourseError("valgrind is missing, which counts the instructions; install Debian's package valgrind")
+    cmake.build(targets=[CHAPTER])
+    rows = []
+    with Step("count instructions") as step:
+        for scene, needs in enumerate(SCENES):
+            for method, name in METHODS.items():
+                more = instructions(scene, method, MANY) - instructions(scene, method, FEW)
+                rows.append((name, f"up to {needs}", round(more / ((MANY - FEW) * PIXELS))))
+                step.progress(len(rows), len(SCENES) * len(METHODS))
+    TABLE.parent.mkdir(parents=True, exist_ok=True)
+    temporary = TABLE.with_name(".instructions.part.csv")
+    lines = [f"{name},{case},{value},instructions per path,counted by cachegrind\n" for name, case, value in rows]
+    temporary.write_text("method,case,value,unit,reference\n" + "".join(lines), newline="")
+    temporary.replace(TABLE)
+    say(table((f"{name}, {case}", str(value)) for name, case, value in rows))
+    say(f"  the table is {shown(TABLE)}")
+    return 0
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main())
+    except CourseError as error:
+        sys.exit(f"instructions: {error}")

@@ -1,0 +1,71 @@
+"""The peers' box, ten seconds of one thread for each of chapter 07's methods: errors and paths a second.
+
+Error is the root mean square over linear RGB against a long converged picture, pixels within 2 of the lamp left out; time is
+the thread's own. Writes figures/07_path_tracing/transport.csv; fails when path tracing with MIS or bidirectional path
+tracing is further off than it should be.
+"""
+
+import argparse
+import csv
+import sys
+
+from course_lib import cmake
+from course_lib.errors import CourseError
+from course_lib.paths import BUILD, FIGURES, program, shown
+from course_lib.process import run_visibly
+from course_lib.terminal import say
+
+CHAPTER = "07_path_tracing"
+TABLE = FIGURES / CHAPTER / "transport.csv"
+SECONDS = 10.0
+PIXELS = 256 * 256
+# What it should be after ten seconds, and what others had: SmallVCM's path tracing and bidirectional path tracing.
+TARGETS = {"path tracing with MIS": (0.09, 0.103), "bidirectional path tracing": (0.05, 0.059)}
+
+
+def options():
+    parser = argparse.ArgumentParser(prog="course bench transport", description=__doc__.partition("\n")[0])
+    parser.add_argument("--seconds", type=float, default=SECONDS, metavar="S",
+                        help=f"for each method ({SECONDS:g} by default; targets hold for that)")
+    chosen = parser.parse_args()
+    if not chosen.seconds > 0:
+        raise CourseError(f"--seconds {chosen.seconds}: must be greater than 0")
+    return chosen
+
+
+def last_rows(path):
+    """The last row of each method: what it had when its time was over."""
+    with path.open(newline="") as file:
+        return {row["method"]: row for row in csv.DictReader(file)}
+
+
+def main():
+    chosen = options()
+    cmake.build(targets=[CHAPTER])
+    out = BUILD / "bench"
+    code = run_visibly([program(CHAPTER), "--out", out, "--time", chosen.seconds, "--scene", "peers_box"])
+    if code != 0:
+        raise CourseError(f"{CHAPTER} stopped with exit code {code}; its own message stands above")
+    lines = ["method,seconds,samples_per_pixel,samples_per_second,error,error_unit,target,peer\n"]
+    missed = []
+    for method, row in last_rows(out / CHAPTER / "timed_peers_box.csv").items():
+        seconds, samples, error = float(row["time"]), int(row["samples"]), float(row["error"])
+        target, peer = TARGETS.get(method, ("", ""))
+        lines.append(f"{method},{seconds},{samples},{samples * PIXELS / seconds:.0f},{error},{row['error_unit']},"
+                     f"{target},{peer}\n")
+        if target and chosen.seconds == SECONDS:
+            say(f"  {method}: {error:.4f}, to be at most {target}; SmallVCM elsewhere {peer}")
+            missed += [method] if error > target else []
+    TABLE.parent.mkdir(parents=True, exist_ok=True)
+    temporary = TABLE.with_name(".transport.part.csv")
+    temporary.write_text("".join(lines), newline="")
+    temporary.replace(TABLE)
+    say(f"  the table is {shown(TABLE)}")
+    return 1 if missed else 0
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main())
+    except CourseError as error:
+        sys.exit(f"transport: {error}")
