@@ -45,6 +45,7 @@ void walk(const Scene& scene, WalkState path, TransportMode mode, const PathLimi
         const auto next = scatter(*at, mode, numbers, vertex);
         if (!next) return;
         path.beta *= next->weight;
+        if ((path.beta == 0).all()) return;
         if (mode == TransportMode::Radiance) radianceScale *= next->sample.eta * next->sample.eta;
         if (vertex >= limits.rouletteStart) {
             const Real u = numbers.number(Dimension::vertex(vertex, VertexUse::Roulette));

@@ -54,7 +54,8 @@ struct DeltaLobes {
 ///
 /// Reciprocal (f(wo, wi) = f(wi, wo) for reflection, modes aside) and energy conserving (∫ f |cos| dω ≤ 1 for every
 /// wo). Models live in the shading frame, seen from wo's side: a model's z axis is ns, or −ns when wo is below the
-/// surface. Which side a direction is on, ng decides; where ng and ns disagree about the other one, there is no light.
+/// surface. Which side a direction is on, ng decides. From where ng and ns disagree about it, no light is scattered; to
+/// where they do, it is, or smooth meshes would be black at their outlines.
 /// Source: Veach 1997, ch. 5. Tests: tests/05_ray_tracing/property_bsdf.cpp.
 class Bsdf {
 public:
@@ -67,7 +68,8 @@ public:
     /// @param wo     unit direction to where the path came from
     /// @param u      two uniform numbers in [0, 1)
     /// @param uLobe  another one: chooses the lobe
-    /// @return nothing when the sample leaves the model's domain; never a zero pdf
+    /// @return nothing when the sample leaves the model's domain; never a zero pdf. f may be 0, where the normals
+    /// disagree.
     std::optional<BsdfSample> sample(const Vec3& wo, const Vec2& u, Real uLobe, TransportMode mode) const;
 
     /// Density over solid angle with which sample picks wi, 1/sr; delta lobes not included. Swap the two for the
@@ -101,8 +103,9 @@ private:
     virtual std::optional<BsdfSample> localSample(const Vec3& wo, const Vec2& u, Real uLobe, Real eta) const = 0;
     virtual DeltaLobes localDeltaLobes(const Vec3& /*wo*/, Real /*eta*/) const { return {}; }
 
-    std::optional<BsdfSample> toWorld(const BsdfSample& local, const Vec3& wo, TransportMode mode) const;
-    Real modeFactor(const Vec3& wo, const Vec3& wi, TransportMode mode) const;
+    std::optional<BsdfSample> deltaToWorld(const BsdfSample& local, const Vec3& wo, TransportMode mode) const;
+    std::optional<BsdfSample> spreadToWorld(const BsdfSample& local, const Vec3& wo, TransportMode mode) const;
+    Real normalsFactor(const Vec3& wo, const Vec3& wi) const;
 
     ShadingFrame shading_;
 };
