@@ -63,23 +63,10 @@ std::pair<BezierPatch, BezierPatch> BezierPatch::splitV(Real t) const {
     //! [ex-03.2]
 }
 
-std::pair<BezierPatch, BezierPatch> BezierPatch::splitU(Real t) const {
-    const auto [first, second] = transposed().splitV(t);
-    return {first.transposed(), second.transposed()};
-}
-
 Bounds3 BezierPatch::bounds() const {
     Bounds3 box;
     for (const Vec3& point : points_) box.extend(point);
     return box;
-}
-
-BezierPatch BezierPatch::transposed() const {
-    std::vector<Vec3> points;
-    for (int j = 0; j <= degreeV_; ++j) {
-        for (int i = 0; i <= degreeU_; ++i) points.push_back(controlPoint(i, j));
-    }
-    return {degreeV_, degreeU_, std::move(points)};
 }
 
 }  // namespace caustic

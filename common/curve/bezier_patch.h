@@ -32,16 +32,11 @@ public:
     /// out. Any finite parameters; outside [0, 1]² the polynomial goes on.
     SurfaceJet evaluate(Real u, Real v) const;
 
-    /// The patch on u in [0, t] and on [t, 1], each over its own parameter from 0 to 1.
-    std::pair<BezierPatch, BezierPatch> splitU(Real t) const;
-    /// The same for v.
+    /// The patch on v in [0, t] and on [t, 1], each over its own parameter from 0 to 1.
     std::pair<BezierPatch, BezierPatch> splitV(Real t) const;
 
     /// The box of the control points, which holds the patch on [0, 1]².
     Bounds3 bounds() const;
-
-    /// u and v exchanged: the same surface, with its normal on the other side.
-    BezierPatch transposed() const;
 
 private:
     int degreeU_;

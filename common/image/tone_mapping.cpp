@@ -19,13 +19,4 @@ Image toneMapped(const Image& image, Real exposure, Real white) {
     return mapped;
 }
 
-Image exposed(const Image& image, Real exposure) {
-    checkPositive(exposure, "exposure");
-    Image brighter(image.width(), image.height());
-    for (int y = 0; y < image.height(); ++y) {
-        for (int x = 0; x < image.width(); ++x) brighter.set(x, y, exposure * image.at(x, y));
-    }
-    return brighter;
-}
-
 }  // namespace caustic

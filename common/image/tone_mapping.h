@@ -18,8 +18,4 @@ Color toneMapped(const Color& radiance, Real exposure, Real white);
 /// @throws InputError unless exposure and white are finite and greater than 0
 Image toneMapped(const Image& image, Real exposure, Real white);
 
-/// Each pixel times a factor, without any compression: what is above 1 will be cut off when it is saved.
-/// @throws InputError unless the factor is finite and greater than 0
-Image exposed(const Image& image, Real exposure);
-
 }  // namespace caustic
