@@ -25,12 +25,12 @@ set xtics (0.5, 1, 2, 3, 5, 10)
 plot for [i=1:3] file using (is(formulas[i]) ? $3 : NaN):5 with points lt i ps 1.6 title formulas[i], \
      file using (is("table") ? $3 * 1.1 : NaN):5:(setting_text(strcol(2), "steps")) with labels left font ",12" textcolor lt 3 notitle
 
-set title "rough gold seen aslant, cosine 0.3: 4, 16, 64, 256, 1024 samples" font ",16"
+set title "rough gold, cosine 0.3: 4, 16, 64, 256, 1024 samples" font ",16"
 set xlabel "time, µs per estimate"
 set xtics auto
 set xrange [0.1:100]
 set yrange [1e-3:100]
-set key at graph 0.97,0.97 right top Left reverse
+set key at graph 0.97,0.97 right top Left reverse samplen 4
 array samplers[3] = ["visible normals", "all normals", "cosine"]
 rough(method, alpha) = is(method) && setting_number(strcol(2), "alpha") == alpha
 plot for [i=1:3] file using (rough(samplers[i], 0.1) ? $3 : NaN):5 with linespoints lt i lw 2.2 ps 1.6 title samplers[i].", α = 0.1", \
