@@ -117,6 +117,7 @@ TEST(Bsdf, IsReciprocal) {
 // Veach 5.3: with f* the importance version, f*(a, b) |a·ng| |b·ns| = f(b, a) |b·ng| |a·ns|.
 TEST(Bsdf, ImportanceIsTheAdjointWithShadingNormals) {
     int compared = 0;
+    int towards = 0;
     for (std::uint64_t i = 0; i < 2000; ++i) {
         const ShadingFrame shading = place(i, true);
         Random random(4, {i});
@@ -126,11 +127,16 @@ TEST(Bsdf, ImportanceIsTheAdjointWithShadingNormals) {
         const Vec3& ns = shading.frame.n;
         const Real forth = model.f(a, b, TransportMode::Importance).x() * std::abs(a.dot(shading.ng) * b.dot(ns));
         const Real back = model.f(b, a, TransportMode::Radiance).x() * std::abs(b.dot(shading.ng) * a.dot(ns));
-        if (forth == 0 || back == 0) continue;  // one of the two sees the other from behind its normal
         EXPECT_NEAR(forth, back, 1e-12);
-        ++compared;
+        const auto disagree = [&](const Vec3& w) { return (w.dot(shading.ng) < 0) != (w.dot(ns) < 0); };
+        if (disagree(a)) {
+            EXPECT_EQ(forth, 0) << "no light is scattered from where the normals disagree";
+        }
+        compared += forth > 0 ? 1 : 0;
+        towards += forth > 0 && disagree(b) ? 1 : 0;
     }
     EXPECT_GT(compared, 500);
+    EXPECT_GT(towards, 20) << "but to there it is";
 }
 
 // ∫ f |cos| ≤ 1 by the midpoint rule over 400 × 200 directions.
