@@ -46,7 +46,7 @@ TEST(RoughConductor, IsReciprocalAndOpaque) {
 // The density of what is refracted sums up to the share of light that is: seen from above,
 // ∫ pdfW over the lower half = mean of 1 − F over the facets that refract downwards.
 TEST(RoughGlass, DensityCountsTheSolidAngleOfNormals) {
-    for (const Real ior : {1.3, 1.8, 0.7}) {
+    for (const Real ior : {1.3, 1.8, 2.4}) {
         for (const Real alpha : {0.2, 0.6}) {
             ShadingFrame shading;
             shading.iorBelow = ior;
