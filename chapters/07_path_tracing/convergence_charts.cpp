@@ -1,3 +1,5 @@
+#include <utility>
+
 #include "core/csv_table.h"
 #include "figures.h"
 #include "measured_scenes.h"
@@ -10,6 +12,19 @@ std::string settingOf(const ConvergencePoint& point) {
     return "scene=" + point.scene + ";samples=" + std::to_string(point.samples);
 }
 
+// Who is how much better after the same time.
+void tabulateRatios(const ConvergencePoints& all, FigureContext& context) {
+    constexpr std::pair<Method, Method> pairs[] = {
+        {Method::Light, Method::Chance}, {Method::Light, Method::Direct}, {Method::Bidirectional, Method::Mis}};
+    CsvTable table({"method", "case", "value", "unit", "reference"});
+    for (const MeasuredScene& scene : measuredScenes()) {
+        for (const auto& [one, other] : pairs)
+            table.addRow(nameOf(one), scene.title + ": error at equal time over that of " + nameOf(other),
+                         errorRatio(all, scene.name, one, other), "1", scene.judge);
+    }
+    table.save(context.output("equal_time.csv"));
+}
+
 }  // namespace
 
 void chartSpeedAccuracy(ChapterRuns& runs, FigureContext& context) {
@@ -19,6 +34,7 @@ void chartSpeedAccuracy(ChapterRuns& runs, FigureContext& context) {
     }
     table.save(context.output("speed_accuracy.csv"));
     context.chart("speed_accuracy.gp", "speed_accuracy.png");
+    tabulateRatios(runs.convergence(context), context);
 }
 
 void chartConvergence(ChapterRuns& runs, FigureContext& context) {

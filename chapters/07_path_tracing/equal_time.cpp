@@ -59,7 +59,7 @@ const std::vector<EqualTimePicture>& equalTimePictures() {
         {"methods", 256, 256, peersBoxSegments, 1, [] { return peersBox(256, 256); }, "assets/references/peers_box.exr",
          "converged"},
         {"caustic", 200, 150, 16, 1, [] { return CausticScene{.lampSide = 0.2}.beforeMirror(200, 150); },
-         "assets/references/caustic_mirror.exr", "converged"}};
+         "assets/references/caustic_mirror.exr", "bidirectional, far longer"}};
     return pictures;
 }
 

@@ -10,12 +10,12 @@ namespace caustic {
 void drawMethods(ChapterRuns& runs, FigureContext& context);
 
 /// Each strategy of bidirectional path tracing by itself, and weighted: pyramid.png.
-void drawPyramid(ChapterRuns& runs, FigureContext& context);
+void drawPyramid(FigureContext& context);
 
 /// A caustic, its image in a mirror and through glass, by all five methods in the same time: caustic.png.
 void drawCaustic(ChapterRuns& runs, FigureContext& context);
 
-/// Error over seconds in four scenes: speed_accuracy.csv and .png.
+/// Error over seconds in four scenes, and errors after the same time: speed_accuracy.csv, .png and equal_time.csv.
 void chartSpeedAccuracy(ChapterRuns& runs, FigureContext& context);
 
 /// Error over samples in the same scenes: convergence.csv and .png.

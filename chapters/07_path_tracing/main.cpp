@@ -24,7 +24,7 @@ int main(int argc, char** argv) {
         thisChapter, static_cast<int>(arguments.size()), arguments.data(),
         {
             {"methods", shared(drawMethods)},
-            {"pyramid", shared(drawPyramid)},
+            {"pyramid", drawPyramid},
             {"caustic", shared(drawCaustic)},
             {"speed_accuracy", shared(chartSpeedAccuracy), true},
             {"convergence", shared(chartConvergence)},

@@ -1,4 +1,5 @@
 #include <map>
+#include <stdexcept>
 #include <utility>
 
 #include "camera/box_filter.h"
@@ -68,11 +69,10 @@ Films strategyFilms(const Scene& scene, std::int64_t samples, FigureContext& con
 
 }  // namespace
 
-void drawPyramid(ChapterRuns& runs, FigureContext& context) {
+void drawPyramid(FigureContext& context) {
     const std::int64_t samples = context.byQuality(2, 32);
     const Scene scene(peersBox(width, width));
     const Films films = strategyFilms(scene, samples, context);
-    std::int64_t bad = 0;
     const int half = (mostSegments + 1) * (width + gap);
     Drawing drawing(2 * half + 5 * gap, top + (mostSegments - fewestSegments + 1) * (width + 30));
     const TextStyle title = {.size = 20, .horizontal = HorizontalAnchor::Centre};
@@ -81,7 +81,7 @@ void drawPyramid(ChapterRuns& runs, FigureContext& context) {
     drawing.text({half + 4.0 * gap + half / 2.0, 30}, "weighted: these add up to the picture", title);
     for (const auto& [strategy, own] : films) {
         const auto [s, t] = strategy;
-        bad += own.plain.badSamples();
+        if (own.plain.badSamples() > 0) throw std::runtime_error("a strategy's contribution is not finite");
         const int segments = s + t - 1;
         if (segments < fewestSegments || segments > mostSegments) continue;
         const Real y = top + (segments - fewestSegments) * (width + 30);
@@ -93,7 +93,6 @@ void drawPyramid(ChapterRuns& runs, FigureContext& context) {
             drawing.image(picture, {Vec2(left, y), Vec2(left + width, y + width)});
         }
     }
-    runs.note(samples * width * width, bad);
     drawing.save(context.output("pyramid.png"));
 }
 

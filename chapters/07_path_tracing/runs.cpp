@@ -1,5 +1,7 @@
 #include "runs.h"
 
+#include <stdexcept>
+
 #include "camera/box_filter.h"
 #include "core/parallel.h"
 #include "core/progress.h"
@@ -19,7 +21,7 @@ constexpr double noLimit = 1e9;
 struct Run {
     const MeasuredScene* scene;
     Method method;
-    std::vector<ConvergencePoint> points;
+    ConvergencePoints points;
     std::int64_t bad = 0;
 };
 
@@ -42,18 +44,15 @@ void measure(Run& run, const Image& reference, std::int64_t mostSamples, std::ui
 
 }  // namespace
 
-Rendering ChapterRuns::render(const Integrator& integrator, std::int64_t samples, FigureContext& context) {
+Rendering ChapterRuns::render(const Integrator& integrator, std::int64_t samples, FigureContext& context) const {
     Rendering rendering = caustic::render(integrator, samples, context.threads(), &context.progress());
-    note(samples * rendering.film.width() * rendering.film.height(), rendering.film.badSamples());
+    if (const auto& bad = rendering.film.firstBad())
+        throw std::runtime_error("pixel (" + std::to_string(bad->pixel.x) + ", " + std::to_string(bad->pixel.y) +
+                                 "), sample " + std::to_string(bad->index) + " is not finite");
     return rendering;
 }
 
-void ChapterRuns::note(std::int64_t samples, std::int64_t bad) {
-    samples_ += samples;
-    bad_ += bad;
-}
-
-const std::vector<ConvergencePoint>& ChapterRuns::convergence(FigureContext& context) {
+const ConvergencePoints& ChapterRuns::convergence(FigureContext& context) {
     if (convergence_) return *convergence_;
     const auto& scenes = measuredScenes();
     const std::int64_t mostSamples = context.byQuality(16, 512);
@@ -73,7 +72,8 @@ const std::vector<ConvergencePoint>& ChapterRuns::convergence(FigureContext& con
     convergence_.emplace();
     for (const Run& run : runs) {
         convergence_->insert(convergence_->end(), run.points.begin(), run.points.end());
-        note(width * width * mostSamples, run.bad);
+        samples_ += width * width * mostSamples;
+        bad_ += run.bad;
     }
     return *convergence_;
 }

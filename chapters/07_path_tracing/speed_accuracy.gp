@@ -6,7 +6,7 @@ array titles[4] = ["diffuse box\n{/*0.8 against radiosity by form factors}", "bo
                    "caustic of a glass ball\n{/*0.8 against a program for this scene alone}", "the peers' box\n{/*0.8 against a long converged picture}"]
 array methods[5] = ["path tracing by chance", "path tracing with direct light", "path tracing with MIS", "light tracing", "bidirectional path tracing"]
 is(m, s) = strcol(1) eq methods[m] && setting_text(strcol(2), "scene") eq scenes[s]
-set multiplot layout 2,2 margins 0.06,0.98,0.12,0.88 spacing 0.07,0.14 title "What time buys: error over seconds of one thread, pictures of 32 × 32 pixels" font ",20"
+set multiplot layout 2,2 margins 0.07,0.98,0.07,0.87 spacing 0.08,0.15 title "What time buys: error over seconds of one thread, pictures of 32 × 32 pixels" font ",20"
 set datafile missing NaN
 set logscale xy
 set format xy "10^{%L}"
@@ -15,7 +15,7 @@ set ylabel "error of the radiance, rms"
 set grid xtics ytics
 do for [s=1:4] {
     set title titles[s] font ",17"
-    if (s == 4) { set key at screen 0.5,0.015 center bottom horizontal maxrows 1 width -2 } else { unset key }
+    if (s == 1) { set key at graph 0.02,0.03 left bottom Left reverse opaque noenhanced } else { unset key }
     plot for [m=1:5] file every ::0 using (is(m, s) ? $3 : NaN):5 with linespoints lt m lw 2.2 ps 1.3 title methods[m]
 }
 unset multiplot
