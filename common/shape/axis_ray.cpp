@@ -9,6 +9,7 @@ AxisRay::AxisRay(const Ray& ray, Real middle) {
     tPerLength = 1 / ray.direction.norm();
     const Vec3 d = ray.direction * tPerLength;
     rise = d.y();
+    perRise = 1 / rise;
     across = Vec2(d.x(), d.z());
     flatSquare = across.squaredNorm();
     flat = std::sqrt(flatSquare);
@@ -23,6 +24,7 @@ AxisRay::AxisRay(const Ray& ray, Real middle) {
         baseHeight = o.y() + s * rise;
         drift = 0;
         near = std::abs(aside) * flat;
+        nearest = 0;
         tBase = s * tPerLength;
         return;
     }
@@ -31,6 +33,7 @@ AxisRay::AxisRay(const Ray& ray, Real middle) {
     baseHeight = middle;
     drift = base.dot(across);
     near = base.norm();
+    nearest = flatSquare > 0 ? -drift / flatSquare : 0;
     tBase = s * tPerLength;
 }
 

@@ -27,10 +27,12 @@ struct AxisRay {
     Vec2 across;      ///< x and z of the unit direction
     Real baseHeight;  ///< y of the base point
     Real rise;        ///< cosine of the angle to the axis
+    Real perRise;     ///< 1 / rise: s for one of height; infinite in the plane of rotation
     Real flat;        ///< sine of the angle to the axis, not negative
     Real flatSquare;  ///< flat²
     Real drift;       ///< base · across; 0 when leaning
     Real near;        ///< distance of the base point from the axis
+    Real nearest;     ///< s of the point nearest to the axis
     bool leaning;     ///< closer to the plane of rotation than to the axis
     Real tBase;       ///< the ray's own parameter of the base point
     Real tPerLength;  ///< 1 / length of the ray's direction

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <string>
 
 #include "core/check.h"
@@ -12,6 +13,7 @@ namespace caustic {
 
 namespace {
 
+constexpr Real infinity = std::numeric_limits<Real>::infinity();
 constexpr Real unitRoundoff = std::numeric_limits<Real>::epsilon() / 2;
 
 Real binomial(int n, int k) {
@@ -42,7 +44,7 @@ Real largestOf(const std::vector<Real>& values) {
 }
 
 // A bound of the second derivative on [0, 1].
-Real bendOf(const std::vector<Real>& c) {
+Real bendOf(std::span<const Real> c) {
     Real largest = 0;
     for (std::size_t i = 2; i < c.size(); ++i) largest = std::max(largest, std::abs(c[i] - 2 * c[i - 1] + c[i - 2]));
     const auto n = static_cast<Real>(c.size() - 1);
@@ -78,6 +80,34 @@ Jet evaluateAny(const Real* c, int degree, Real u) {
     return {(1 - u) * level[0] + u * level[1], degree * (level[1] - level[0])};
 }
 
+// Both coordinates' jets at u.
+struct ProfileJet {
+    Jet x;
+    Jet y;
+};
+
+ProfileJet evaluateProfile(const std::vector<Real>& x, const std::vector<Real>& y, Real u) {
+    if (x.size() == 4) return {evaluateCubic(x.data(), u), evaluateCubic(y.data(), u)};
+    const int degree = static_cast<int>(x.size()) - 1;
+    return {evaluateAny(x.data(), degree, u), evaluateAny(y.data(), degree, u)};
+}
+
+// De Casteljau's algorithm at 1/2: the coefficients c over the left half and over the right one. What is left of a
+// cubic profile's seven stays in registers, which makes a test 10 % faster.
+template <std::size_t most>
+void halve(std::span<const Real> c, Real* left, Real* right) {
+    const std::size_t count = most == 7 ? 7 : c.size();
+    std::array<Real, most> rest;
+    std::copy_n(c.begin(), count, rest.begin());
+#pragma GCC unroll 8
+    for (std::size_t i = 0; i < count; ++i) {
+        left[i] = rest[0];
+#pragma GCC unroll 8
+        for (std::size_t j = 0; j + 1 < count - i; ++j) rest[j] = (rest[j] + rest[j + 1]) / 2;
+        right[count - 1 - i] = rest[count - 1 - i];
+    }
+}
+
 }  // namespace
 
 RevolvedSegment::RevolvedSegment(const BezierCurve& profile) {
@@ -96,6 +126,7 @@ RevolvedSegment::RevolvedSegment(const BezierCurve& profile) {
     yRaised_ = product(centred, std::vector<Real>(centred.size(), 1));
     xLargest_ = largestOf(x_);
     yLargest_ = largestOf(centred);
+    margin_ = 1e-6 * (xLargest_ + yLargest_);
     xBend_ = bendOf(x_);
     yBend_ = bendOf(y_);
 }
@@ -164,36 +195,23 @@ private:
         //! [ex-03.7]
         const Signs signs = signsOf(f);
         if (signs.one) return;
-        if (signs.crossingOnce) return addCrossing(low, low + width, f.coefficient[0] < 0);
+        if (signs.crossingOnce) return addCrossing(f, low, width);
         if (addByMonotoneFactors(low, width)) return;
         if (depth >= deepest || signs.magnitude <= 4 * f.error) return addByFactors(low, low + width);
 
         Equation left;
-        Equation right = f;
-        left.degree = f.degree;
+        Equation right;
+        left.degree = right.degree = f.degree;
         left.error = right.error = f.error + f.degree * unitRoundoff * signs.magnitude;
-        const auto n = static_cast<std::size_t>(f.degree);
-        for (std::size_t i = 0; i <= n; ++i) {
-            left.coefficient[i] = right.coefficient[0];
-            for (std::size_t j = 0; j < n - i; ++j) {
-                right.coefficient[j] = (right.coefficient[j] + right.coefficient[j + 1]) / 2;
-            }
-        }
+        const std::span<const Real> whole(f.coefficient.data(), static_cast<std::size_t>(f.degree) + 1);
+        const auto halves = whole.size() == 7 ? halve<7> : halve<2 * RevolvedSegment::highestDegree + 1>;
+        halves(whole, left.coefficient.data(), right.coefficient.data());
         isolate(left, low, width / 2, depth + 1);
         isolate(right, low + width / 2, width / 2, depth + 1);
         //! [ex-03.7]
     }
 
-    struct Profile {
-        Jet x;
-        Jet y;
-    };
-
-    Profile profileAt(Real u) const {
-        const int degree = segment_.degree();
-        if (degree == 3) return {evaluateCubic(segment_.x_.data(), u), evaluateCubic(segment_.y_.data(), u)};
-        return {evaluateAny(segment_.x_.data(), degree, u), evaluateAny(segment_.y_.data(), degree, u)};
-    }
+    ProfileJet profileAt(Real u) const { return evaluateProfile(segment_.x_, segment_.y_, u); }
 
     // f and f' from the profile itself: fewer terms than the Bernstein form, and differences of squares as products.
     Jet fAt(Real u) const {
@@ -228,45 +246,61 @@ private:
     }
 
     // Newton's method in a bracket where the function changes its sign; bisection where Newton would leave it or lags.
+    // After a step s it is off by no more than bend s² / (2 slope): `bend` bounds the second derivative in the bracket.
     template <typename Function>
-    static Real solve(const Function& function, Real low, Real high, bool risesFromBelow) {
-        Real u = low + (high - low) / 2;
+    static Real solve(const Function& function, Real low, Real high, Real start, bool risesFromBelow, Real bend) {
+        Real u = start;
         Real lastStep = high - low;
         for (int i = 0; i < 100; ++i) {
             const Jet f = function(u);
             if (f.value == 0) return u;
             ((f.value < 0) == risesFromBelow ? low : high) = u;
             Real next = u - f.value / f.slope;
-            if (!(next >= low && next <= high) || std::abs(next - u) > lastStep / 2) next = low + (high - low) / 2;
+            const bool halve = !(next >= low && next <= high) || std::abs(next - u) > lastStep / 2;
+            if (halve) next = low + (high - low) / 2;
             const Real step = std::abs(next - u);
             u = next;
             if (step <= 2 * unitRoundoff || step <= 4 * unitRoundoff * u) return u;
+            if (!halve && bend * step * step <= unitRoundoff * std::abs(f.slope)) return u;
             lastStep = step;
         }
         return u;
     }
 
-    void addCrossing(Real low, Real high, bool risesFromBelow) {
-        const Real u = solve([this](Real at) { return fAt(at); }, low, high, risesFromBelow);
-        const Real h = profileAt(u).y.value - ray_.baseHeight;
-        addRoot(u, (h < 0) == (ray_.rise < 0) ? 1 : -1);
+    // Where the polygon of the coefficients crosses zero: near the root, if there is one.
+    static Real guess(const Equation& f, Real low, Real width) {
+        std::size_t i = 1;
+        while ((f.coefficient[i] < 0) == (f.coefficient[0] < 0)) ++i;
+        const Real before = f.coefficient[i - 1];
+        const Real along = static_cast<Real>(i - 1) + before / (before - f.coefficient[i]);
+        return low + width * along / f.degree;
+    }
+
+    // f has one root in the piece and is certain of its signs at the ends.
+    void addCrossing(const Equation& f, Real low, Real width) {
+        const auto function = [this](Real at) { return fAt(at); };
+        const Real start = guess(f, low, width);
+        const Real bend = bendOf(std::span(f.coefficient).first(static_cast<std::size_t>(f.degree) + 1));
+        const Real u = solve(function, low, low + width, start, f.coefficient[0] < 0, bend / (width * width));
+        const ProfileJet profile = profileAt(u);
+        const Real h = profile.y.value - ray_.baseHeight;
+        addRoot(u, profile, (h < 0) == (ray_.rise < 0) ? 1 : -1);
     }
 
     // Appends the root with its place on the line: the projection of the meeting point onto the line, so that height
     // and distance from the axis both have their say, each with the weight that it deserves.
-    void addRoot(Real u, Real side) {
-        const auto [x, y] = profileAt(u);
+    void addRoot(Real u, const ProfileJet& profile, Real side) {
+        const auto& [x, y] = profile;
         const Real h = y.value - ray_.baseHeight;
         if (!ray_.leaning) return roots_.add(u, h / ray_.rise);
         const Real square = (std::abs(x.value) - ray_.near) * (std::abs(x.value) + ray_.near);
         roots_.add(u, ray_.rise * h + side * ray_.flat * std::sqrt(std::max(Real(0), square)));
     }
 
-    // Whether the circle at u comes as near to the axis as the line does, up to rounding.
-    bool reachesLine(Real u) const {
+    // Whether a circle comes as near to the axis as the line does, up to rounding.
+    bool reachesLine(Real x) const {
         if (!ray_.leaning) return true;
-        const Real x = std::abs(profileAt(u).x.value);
-        return x - ray_.near >= -32 * unitRoundoff * (segment_.xLargest_ + ray_.near);
+        return std::abs(x) - ray_.near >= -32 * unitRoundoff * (segment_.xLargest_ + ray_.near);
     }
 
     // A zero counts as negative for one factor only: a line through the pole, where both are zero, meets it once.
@@ -288,16 +322,26 @@ private:
         const Real left = ray_.flat * ySlope;
         const Real right = ray_.rise * xHigh * xSlope;
         if (!(left * left * (xLow - ray_.near) * (xLow + ray_.near) > right * right)) return false;
-        for (const Real side : {Real(-1), Real(1)}) addBySigns(low, low + width, side);
+        // r'' = (x x'' + x'² - r'²) / r with r' = x x' / r.
+        const Real rLow = std::sqrt((xLow - ray_.near) * (xLow + ray_.near));
+        const Real rSlope = xHigh * xSlope / rLow;
+        const Real rBend = (xHigh * segment_.xBend_ + xSlope * xSlope + rSlope * rSlope) / rLow;
+        const Real bend = ray_.flat * segment_.yBend_ + std::abs(ray_.rise) * rBend;
+        for (const Real side : {Real(-1), Real(1)}) addBySigns(low, low + width, side, bend);
         return true;
     }
 
-    void addBySigns(Real low, Real high, Real side) {
+    // bend: a bound of the factor's second derivative, if there is one.
+    void addBySigns(Real low, Real high, Real side, Real bend = infinity) {
         const auto factor = [this, side](Real u) { return factorAt(u, side); };
-        const bool negativeBefore = isNegative(factor(low).value, side);
-        if (negativeBefore == isNegative(factor(high).value, side)) return;
-        const Real u = solve(factor, low, high, negativeBefore);
-        if (reachesLine(u)) addRoot(u, side);
+        const Real before = factor(low).value;
+        const Real after = factor(high).value;
+        const bool negativeBefore = isNegative(before, side);
+        if (negativeBefore == isNegative(after, side)) return;
+        const Real start = low + (high - low) * before / (before - after);
+        const Real u = solve(factor, low, high, start, negativeBefore, bend);
+        const ProfileJet profile = profileAt(u);
+        if (reachesLine(profile.x.value)) addRoot(u, profile, side);
     }
 
     // How near the profile is to where its circle just reaches a leaning line; the root of the factors begins there.
@@ -344,9 +388,21 @@ private:
     RevolvedSegment::Roots& roots_;
 };
 
+std::optional<RevolvedSegment::Reach> RevolvedSegment::reach(const AxisRay& ray) const {
+    Reach reach = {-infinity, infinity};
+    if (std::abs(ray.rise) > 1e-6) {
+        const Real middle = (middle_ - ray.baseHeight) * ray.perRise;
+        const Real half = (yLargest_ + margin_) * std::abs(ray.perRise);
+        reach = {middle - half, middle + half};
+    }
+    const Real passing = ray.acrossAt(std::clamp(ray.nearest, reach.from, reach.to)).squaredNorm();
+    const Real radius = xLargest_ + margin_ + 1e-12 * ray.near;
+    if (passing > radius * radius) return std::nullopt;
+    return reach;
+}
+
 RevolvedSegment::ProfilePoint RevolvedSegment::profileAt(Real u) const {
-    const Jet x = evaluateAny(x_.data(), degree(), u);
-    const Jet y = evaluateAny(y_.data(), degree(), u);
+    const auto [x, y] = evaluateProfile(x_, y_, u);
     return {{x.value, y.value}, {x.slope, y.slope}};
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "curve/bezier_curve.h"
@@ -74,6 +75,16 @@ public:
     /// that touches it, up to rounding, nowhere or twice. None for a line that is not finite.
     Roots roots(const AxisRay& ray) const;
 
+    /// A piece of a line: from a distance along an AxisRay to another.
+    struct Reach {
+        Real from;
+        Real to;
+    };
+
+    /// The piece of the line outside of which no meeting with the segment is: where it passes the segment's heights.
+    /// Nothing when it passes outside of the cylinder of the segment's largest radius there.
+    std::optional<Reach> reach(const AxisRay& ray) const;
+
     /// A point of the profile and its derivative by u.
     struct ProfilePoint {
         Vec2 position;
@@ -98,6 +109,7 @@ private:
     Real middle_;                // a height within: y - middle_ is small, so that less cancels
     Real xLargest_;              // of |x|
     Real yLargest_;              // of |y - middle_|
+    Real margin_;                // a millionth of the size: more than rounding can do
     Real xBend_;                 // bounds of |x''| and |y''|
     Real yBend_;
 };

@@ -74,6 +74,7 @@ SurfaceOfRevolution::SurfaceOfRevolution(std::vector<BezierCurve> profile)
       segments_(profile_.begin(), profile_.end()),
       bounds_(boundsOf(profile_)),
       middle_(bounds_.min().y() / 2 + bounds_.max().y() / 2),
+      rises_(profile_.back().controlPoints().back().y() > profile_.front().controlPoints().front().y()),
       magnitude_(bounds_.min().cwiseAbs().cwiseMax(bounds_.max().cwiseAbs()).maxCoeff()),
       cells_(cellsOf(profile_)) {}
 
@@ -87,8 +88,9 @@ SurfaceJet SurfaceOfRevolution::evaluate(Real u, Real v) const { return jetAt(pl
 
 Vec3 SurfaceOfRevolution::normal(Real u, Real v) const {
     const Place place = placeAt(u);
-    const Real sign = profile_[place.segment].position(place.u).x() < 0 ? -1 : 1;
-    return normalAt(place, sign * Vec2(std::cos(turn * v), std::sin(turn * v)));
+    const RevolvedSegment::ProfilePoint profile = segments_[place.segment].profileAt(place.u);
+    const Real sign = profile.position.x() < 0 ? -1 : 1;
+    return normalAt(place, profile, sign * Vec2(std::cos(turn * v), std::sin(turn * v)));
 }
 
 SurfaceJet SurfaceOfRevolution::jetAt(const Place& place, Real v) const {
@@ -104,8 +106,8 @@ SurfaceJet SurfaceOfRevolution::jetAt(const Place& place, Real v) const {
 }
 
 // outward: unit vector in x and z from the axis to the point.
-Vec3 SurfaceOfRevolution::normalAt(const Place& place, const Vec2& outward) const {
-    const RevolvedSegment::ProfilePoint profile = segments_[place.segment].profileAt(place.u);
+Vec3 SurfaceOfRevolution::normalAt(const Place& place, const RevolvedSegment::ProfilePoint& profile,
+                                   const Vec2& outward) const {
     const Real x = profile.position.x();
     Vec2 way = profile.derivative;
     // Below this the derivative is rounding: a cusp, or coincident control points.
@@ -125,7 +127,8 @@ bool SurfaceOfRevolution::canMeet(const Ray& ray) const { return mayMeet(bounds_
 
 Hit SurfaceOfRevolution::hitAt(const Ray& ray, const Place& place, Real t) const {
     const Vec3 near = ray.at(t);
-    const auto [position, derivative] = segments_[place.segment].profileAt(place.u);
+    const RevolvedSegment::ProfilePoint profile = segments_[place.segment].profileAt(place.u);
+    const auto& [position, derivative] = profile;
     const Real sign = position.x() < 0 ? -1 : 1;
     const Real distance = std::hypot(near.x(), near.z());
     const Vec2 outward = distance > 0 ? Vec2(near.x() / distance, near.z() / distance) : Vec2(Vec2::UnitX());
@@ -134,7 +137,7 @@ Hit SurfaceOfRevolution::hitAt(const Ray& ray, const Place& place, Real t) const
     Hit hit;
     const Real radius = std::abs(position.x());
     hit.point = {radius * outward.x(), position.y(), radius * outward.y()};
-    hit.ng = normalAt(place, outward);
+    hit.ng = normalAt(place, profile, outward);
     hit.ns = hit.ng;
     hit.uv = {(static_cast<Real>(place.segment) + place.u) / static_cast<Real>(profile_.size()), v < 0 ? v + 1 : v};
     hit.magnitude = magnitude_;
@@ -151,6 +154,7 @@ std::vector<Real> SurfaceOfRevolution::crossings(const Ray& ray) const {
     if (!canMeet(ray)) return found;
     const AxisRay axisRay(ray, middle_);
     for (const RevolvedSegment& segment : segments_) {
+        if (!segment.reach(axisRay)) continue;
         for (const RevolvedRoot& root : segment.roots(axisRay)) {
             const Real t = axisRay.tAt(root.distance);
             if (ray.reaches(t)) found.push_back(t);
@@ -166,7 +170,11 @@ std::optional<Hit> SurfaceOfRevolution::intersect(const Ray& ray) const {
     Place nearest = {0, 0};
     Real tNearest = ray.tMax;
     bool found = false;
-    for (std::size_t i = 0; i < segments_.size(); ++i) {
+    const bool againstTheProfile = (axisRay.rise < 0) == rises_;
+    for (std::size_t k = 0; k < segments_.size(); ++k) {
+        const std::size_t i = againstTheProfile ? segments_.size() - 1 - k : k;
+        const auto reach = segments_[i].reach(axisRay);
+        if (!reach || axisRay.tAt(reach->from) > tNearest || axisRay.tAt(reach->to) < ray.tMin) continue;
         for (const RevolvedRoot& root : segments_[i].roots(axisRay)) {
             const Real t = axisRay.tAt(root.distance);
             if (!(t > ray.tMin && t < tNearest)) continue;
@@ -183,6 +191,7 @@ bool SurfaceOfRevolution::occluded(const Ray& ray) const {
     if (!canMeet(ray)) return false;
     const AxisRay axisRay(ray, middle_);
     for (const RevolvedSegment& segment : segments_) {
+        if (!segment.reach(axisRay)) continue;
         for (const RevolvedRoot& root : segment.roots(axisRay)) {
             if (ray.reaches(axisRay.tAt(root.distance))) return true;
         }
@@ -196,8 +205,9 @@ std::optional<AreaSample> SurfaceOfRevolution::sampleArea(const Vec2& u) const {
     const SurfaceJet jet = jetAt(place, u.y());
     SurfacePoint at;
     at.point = jet.point;
-    const Real sign = profile_[place.segment].position(place.u).x() < 0 ? -1 : 1;
-    at.ng = normalAt(place, sign * Vec2(std::cos(turn * u.y()), std::sin(turn * u.y())));
+    const RevolvedSegment::ProfilePoint profile = segments_[place.segment].profileAt(place.u);
+    const Real sign = profile.position.x() < 0 ? -1 : 1;
+    at.ng = normalAt(place, profile, sign * Vec2(std::cos(turn * u.y()), std::sin(turn * u.y())));
     at.uv = {(static_cast<Real>(place.segment) + place.u) / static_cast<Real>(profile_.size()), u.y()};
     at.magnitude = magnitude_;
     const Real pdf = pdfA(at);

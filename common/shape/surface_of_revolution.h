@@ -55,7 +55,7 @@ private:
     };
 
     Place placeAt(Real u) const;
-    Vec3 normalAt(const Place& place, const Vec2& outward) const;
+    Vec3 normalAt(const Place& place, const RevolvedSegment::ProfilePoint& profile, const Vec2& outward) const;
     SurfaceJet jetAt(const Place& place, Real v) const;
     Hit hitAt(const Ray& ray, const Place& place, Real t) const;
     bool canMeet(const Ray& ray) const;
@@ -64,6 +64,7 @@ private:
     std::vector<RevolvedSegment> segments_;
     Bounds3 bounds_;
     Real middle_;
+    bool rises_;  // whether the profile ends higher than it begins
     Real magnitude_;
     AreaCells cells_;
 };
