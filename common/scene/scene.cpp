@@ -1,6 +1,8 @@
 #include "scene/scene.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <string>
 #include <utility>
@@ -19,6 +21,9 @@ namespace {
 // Whether its surface lets light pass straight on.
 bool madeOfNothing(const SceneObject& one) { return !one.material && !one.emission; }
 
+const Bounds3 everywhere(Vec3::Constant(-std::numeric_limits<Real>::infinity()),
+                         Vec3::Constant(std::numeric_limits<Real>::infinity()));
+
 }  // namespace
 
 Scene::Scene(SceneDescription description) : description_(std::move(description)) {
@@ -28,6 +33,7 @@ Scene::Scene(SceneDescription description) : description_(std::move(description)
         addObject(one);
         members.push_back(std::make_shared<NamedShape>(one.shape, static_cast<ObjectId>(members.size())));
         if (one.shape->bounded()) bounds_.extend(one.shape->bounds());
+        if (one.interior) interiorBounds_.push_back(one.shape->bounded() ? one.shape->bounds() : everywhere);
     }
     if (!members.empty()) world_ = std::make_shared<ShapeTree>(std::move(members));
     for (const auto& light : description_.lights) {
@@ -117,6 +123,8 @@ Color Scene::Le(const Ray& escaped) const {
 
 MediumStack Scene::mediaAt(const Vec3& point) const {
     MediumStack media;
+    const auto around = [&](const Bounds3& bounds) { return bounds.contains(point); };
+    if (std::none_of(interiorBounds_.begin(), interiorBounds_.end(), around)) return media;
     std::map<ObjectId, int> entered;  // on the way outwards
     // Any direction would do; one that no axis-parallel face is parallel to meets fewer edges.
     Ray ray = {point, Vec3(0.35, 0.87, 0.34).normalized()};

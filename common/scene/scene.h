@@ -79,6 +79,7 @@ private:
     std::vector<const Light*> lightOfObject_;           // null for none
     std::vector<const Light*> infiniteLights_;
     Bounds3 bounds_;
+    std::vector<Bounds3> interiorBounds_;  // around each object with an interior
     MediumStack cameraMedia_;
 };
 
