@@ -1,21 +1,14 @@
 #include <gtest/gtest.h>
 
-#include "root_examination.h"
+#include "expect_nothing_missed.h"
 
 namespace caustic {
 namespace {
 
+using test::expectNothingMissed;
+
 constexpr int threads = 2;
 constexpr std::uint64_t seed = 1;
-
-// The reference shares no code with the library: see revolution_reference.h and patch_reference.h.
-void expectNothingMissed(const RootExamination& count, const std::string& set) {
-    SCOPED_TRACE(set);
-    EXPECT_EQ(count.misses, 0) << "of " << count.meetings << " meetings";
-    EXPECT_EQ(count.falseHits, 0);
-    EXPECT_EQ(count.nearest.front().failures, 0) << "of " << count.nearest.front().trials;
-    EXPECT_LE(count.worstDistance, 1e-12) << "of the size, inside the band of tangency too";
-}
 
 TEST(RevolutionRoots, RandomChordsLoseNothing) {
     const RootExamination count = examineRevolution(0, 100'000, seed, threads);
