@@ -22,7 +22,10 @@ void expectTheDensity(const std::vector<test::BsdfCase>& cases) {
 
 TEST(BsdfDensity, EarlierModelsFinely) { expectTheDensity(test::earlierBsdfCases()); }
 TEST(BsdfDensity, RoughConductorsFinely) { expectTheDensity(test::roughConductorCases()); }
-TEST(BsdfDensity, RoughDielectricsFinely) { expectTheDensity(test::roughDielectricCases()); }
+TEST(BsdfDensity, RoughBubblesFinely) { expectTheDensity(test::roughDielectricCases(0.6)); }
+TEST(BsdfDensity, RoughOilFinely) { expectTheDensity(test::roughDielectricCases(1.1)); }
+TEST(BsdfDensity, RoughGlassFinely) { expectTheDensity(test::roughDielectricCases(1.5)); }
+TEST(BsdfDensity, RoughDiamondFinely) { expectTheDensity(test::roughDielectricCases(2.4)); }
 
 TEST(BsdfDensity, AnOctantWrongByThreePercentIsSeen) {
     Random random(1, {});

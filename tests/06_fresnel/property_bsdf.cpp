@@ -35,7 +35,8 @@ Vec3 anyDirection(Random& random) {
 
 std::vector<test::BsdfCase> roughCases() {
     std::vector<test::BsdfCase> all = test::roughConductorCases();
-    for (const test::BsdfCase& one : test::roughDielectricCases()) all.push_back(one);
+    for (const Real ior : {0.6, 1.1, 1.5, 2.4})
+        for (const test::BsdfCase& one : test::roughDielectricCases(ior)) all.push_back(one);
     return all;
 }
 
@@ -54,7 +55,10 @@ void expectTheDensity(const std::vector<test::BsdfCase>& cases, int samples) {
 // 504 cases in all. What so many samples see is said below; large_bsdf.cpp takes ten times as many.
 TEST(BsdfDensity, EarlierModels) { expectTheDensity(test::earlierBsdfCases(), 60'000); }
 TEST(BsdfDensity, RoughConductors) { expectTheDensity(test::roughConductorCases(), 60'000); }
-TEST(BsdfDensity, RoughDielectrics) { expectTheDensity(test::roughDielectricCases(), 60'000); }
+TEST(BsdfDensity, RoughBubbles) { expectTheDensity(test::roughDielectricCases(0.6), 60'000); }
+TEST(BsdfDensity, RoughOil) { expectTheDensity(test::roughDielectricCases(1.1), 60'000); }
+TEST(BsdfDensity, RoughGlass) { expectTheDensity(test::roughDielectricCases(1.5), 60'000); }
+TEST(BsdfDensity, RoughDiamond) { expectTheDensity(test::roughDielectricCases(2.4), 60'000); }
 
 // The power: a density that is too large by 10 percent in one octant. 3 percent need ten times the samples:
 // large_bsdf.cpp.

@@ -28,7 +28,8 @@ std::vector<BsdfCase> earlierBsdfCases();
 /// Rough gold and silver, 6 roughnesses along and across, at 12 places each.
 std::vector<BsdfCase> roughConductorCases();
 
-/// Rough glass of 4 indices, below and above 1, 6 roughnesses along and across, at 12 places each.
-std::vector<BsdfCase> roughDielectricCases();
+/// Rough glass of an index, 6 roughnesses along and across, at 12 places each.
+/// @param ior  greater than 0, not 1
+std::vector<BsdfCase> roughDielectricCases(Real ior);
 
 }  // namespace caustic::test
