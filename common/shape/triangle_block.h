@@ -18,8 +18,8 @@ struct alignas(64) TriangleBlock {
         std::array<std::array<WideReal, 3>, 3> corners;
     };
 
-    std::array<Part, 8 / wideRealLanes> parts;
-    std::array<std::uint32_t, 8> triangle;  ///< the mesh's numbers of them
+    std::array<Part, 8 / wideRealLanes> parts;  ///< the eight, in as many parts as the processor needs
+    std::array<std::uint32_t, 8> triangle;      ///< the mesh's numbers of them
 };
 
 /// Makes blocks of the triangles that a tree put together.
@@ -32,10 +32,10 @@ std::vector<TriangleBlock> makeTriangleBlocks(const MeshData& mesh, std::span<co
 struct WideShearedRay {
     explicit WideShearedRay(const ShearedRay& ray);
 
-    std::array<WideReal, 3> origin;  ///< along the ray's own axes
-    std::array<WideReal, 3> shear;   ///< likewise
-    WideReal tMin;                   ///< where the ray begins
-    std::array<std::size_t, 3> axis;
+    std::array<WideReal, 3> origin;   ///< along the ray's own axes
+    std::array<WideReal, 3> shear;    ///< likewise
+    WideReal tMin;                    ///< where the ray begins
+    std::array<std::size_t, 3> axis;  ///< which of the world's axes each of them is
 };
 
 /// What a ray meets of some triangles.
