@@ -10,6 +10,7 @@
 #include "figures.h"
 #include "furnace.h"
 #include "integrator/ray_tracer.h"
+#include "material/conductor_material.h"
 #include "material/dielectric_material.h"
 #include "material/fresnel.h"
 #include "material/rough_conductor_bsdf.h"
@@ -72,6 +73,22 @@ void addSchlick(CsvTable& table) {
     }
 }
 
+// What a metal's colour at normal incidence tells of the other angles, by Schlick.
+void addSchlickOfMetals(CsvTable& table) {
+    const std::pair<const char*, Metal> metals[] = {
+        {"gold", Metal::gold()}, {"silver", Metal::silver()}, {"copper", Metal::copper()}};
+    for (const auto& [name, metal] : metals) {
+        const Color r0 = fresnelConductor(1, metal.eta, metal.k);
+        Color largest = Color::Zero();
+        for (int i = 0; i <= 10'000; ++i) {
+            const Real cosO = i / 1e4;
+            largest = largest.max((schlick(cosO, r0) - fresnelConductor(cosO, metal.eta, metal.k)).abs());
+        }
+        table.addRow("Schlick", std::string("largest error of three channels, ") + name, 100 * largest.maxCoeff(),
+                     "percent of the light", "Fresnel's equations");
+    }
+}
+
 // The mean weight over an even grid of samples: what comes back of one reflection or refraction, in energy.
 Real givenBack(const Bsdf& bsdf, Real cosO) {
     constexpr int perAxis = 256;
@@ -109,7 +126,10 @@ void addLosses(CsvTable& table) {
 void addLimits(CsvTable& table) {
     const Metal gold = Metal::gold();
     constexpr Real cosO = 0.5;
-    const Real mirror = fresnelConductor(cosO, gold.eta, gold.k).y();
+    BsdfBuffer polished;
+    ConductorMaterial(gold).build({}, {}, polished);
+    const Vec3 wo(std::sqrt(1 - cosO * cosO), 0, cosO);
+    const Real mirror = polished.get()->deltaLobes(wo, TransportMode::Importance).lobe[0].f.y();
     ShadingFrame glassBelow;
     glassBelow.iorBelow = 1.5;
     for (const Real alpha : {1e-1, 1e-2, 1e-3, 1e-4}) {
@@ -151,6 +171,7 @@ void tabulateQuantities(FigureContext& context) {
     addPanes(table);
     context.progress().advance();
     addSchlick(table);
+    addSchlickOfMetals(table);
     context.progress().advance();
     addLosses(table);
     context.progress().advance();
