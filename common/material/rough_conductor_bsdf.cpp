@@ -1,5 +1,7 @@
 #include "material/rough_conductor_bsdf.h"
 
+#include <algorithm>
+
 #include "core/not_implemented.h"
 #include "material/directions.h"
 #include "material/fresnel.h"

@@ -1,6 +1,7 @@
 #include "material/rough_dielectric_bsdf.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/not_implemented.h"
 #include "material/directions.h"
