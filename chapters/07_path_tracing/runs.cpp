@@ -1,5 +1,6 @@
 #include "runs.h"
 
+#include <cmath>
 #include <stdexcept>
 
 #include "camera/box_filter.h"
@@ -17,7 +18,7 @@ namespace {
 constexpr int width = 32;  // of the measured pictures
 constexpr double noLimit = 1e9;
 
-// One method on one scene, its picture looked at after 1, 2, 4 … samples.
+// One method on one scene: its picture looked at after 1, 2, 4 … samples, several times anew.
 struct Run {
     const MeasuredScene* scene;
     Method method;
@@ -25,21 +26,33 @@ struct Run {
     std::int64_t bad = 0;
 };
 
-void measure(Run& run, const Image& reference, std::int64_t mostSamples, std::uint64_t seed) {
-    const Scene scene(run.scene->make(width));
+// Enters one picture's errors, squared, and its times.
+void measureOnce(Run& run, const Scene& scene, const Image& reference, std::int64_t mostSamples, std::uint64_t seed) {
     const std::vector<bool> leftOut = pixelsNearLamps(scene, 2);
     const IndependentSampler sampler(seed);
     const BoxFilter filter;
     const auto integrator = makeIntegrator(run.method, scene, sampler, filter, run.scene->mostSegments);
-    std::int64_t next = 1;
+    std::size_t next = 0;
     const Rendering rendering = renderFor(*integrator, noLimit, [&](const Rendering& soFar, const TimedMoment& moment) {
-        if (moment.samples < next) return true;
-        next *= 2;
-        run.points.push_back({run.scene->name, run.method, moment.samples, moment.seconds,
-                              rmse(soFar.film.image(), reference, leftOut)});
-        return next <= mostSamples;
+        if (moment.samples < std::int64_t{1} << next) return true;
+        if (next == run.points.size()) run.points.push_back({run.scene->name, run.method, moment.samples});
+        const Real error = rmse(soFar.film.image(), reference, leftOut);
+        run.points[next].seconds += moment.seconds;
+        run.points[next].error += error * error;
+        ++next;
+        return moment.samples < mostSamples;
     });
-    run.bad = rendering.film.badSamples();
+    run.bad += rendering.film.badSamples();
+}
+
+void measure(Run& run, const Image& reference, std::int64_t mostSamples, int repetitions, std::uint64_t seed) {
+    const Scene scene(run.scene->make(width));
+    for (int i = 0; i < repetitions; ++i)
+        measureOnce(run, scene, reference, mostSamples, seed + static_cast<std::uint64_t>(i));
+    for (ConvergencePoint& point : run.points) {
+        point.seconds /= repetitions;
+        point.error = std::sqrt(point.error / repetitions);
+    }
 }
 
 }  // namespace
@@ -55,7 +68,8 @@ Rendering ChapterRuns::render(const Integrator& integrator, std::int64_t samples
 const ConvergencePoints& ChapterRuns::convergence(FigureContext& context) {
     if (convergence_) return *convergence_;
     const auto& scenes = measuredScenes();
-    const std::int64_t mostSamples = context.byQuality(16, 512);
+    const std::int64_t mostSamples = context.byQuality(16, 256);
+    const int repetitions = context.byQuality(1, 4);
     std::vector<Run> runs;
     std::vector<Image> references;
     for (const MeasuredScene& scene : scenes) {
@@ -66,13 +80,13 @@ const ConvergencePoints& ChapterRuns::convergence(FigureContext& context) {
     context.progress().expect(static_cast<std::int64_t>(runs.size()));
     parallelFor(static_cast<std::int64_t>(runs.size()), context.threads(), [&](std::int64_t i) {
         const auto at = static_cast<std::size_t>(i);
-        measure(runs[at], references[at / allMethods.size()], mostSamples, context.seed() + at);
+        measure(runs[at], references[at / allMethods.size()], mostSamples, repetitions, context.seed() + 1000 * at);
         context.progress().advance();
     });
     convergence_.emplace();
     for (const Run& run : runs) {
         convergence_->insert(convergence_->end(), run.points.begin(), run.points.end());
-        samples_ += width * width * mostSamples;
+        samples_ += width * width * mostSamples * repetitions;
         bad_ += run.bad;
     }
     return *convergence_;

@@ -23,7 +23,7 @@ public:
     /// @throws std::runtime_error when a sample was no finite number
     Rendering render(const Integrator& integrator, std::int64_t samples, FigureContext& context) const;
 
-    /// Every method on every measured scene; made once and kept.
+    /// Every method on every measured scene, errors as root mean squares over some repetitions; made once and kept.
     const ConvergencePoints& convergence(FigureContext& context);
 
     /// How many samples that took.
