@@ -1,4 +1,5 @@
 """Line coverage of the shared library by the chapters' executables alone: what they never run has no place in common/.
+Run are the drafts of all figures, and the commands that inspect files.
 
 Error paths are left out, for good input never gets there. A line belongs to one when it is part of
 - a statement that throws, or that calls a function declared [[noreturn]],
@@ -6,20 +7,26 @@ Error paths are left out, for good input never gets there. A line belongs to one
 - a `catch` block.
 """
 
+import concurrent.futures
+import glob
 import json
 import re
 import shutil
+import subprocess
 
 from course_lib import cmake
 from course_lib.chapters import all_chapters
 from course_lib.cpp_source import COMMENT_OR_TEXT
 from course_lib.errors import CourseError
-from course_lib.paths import ROOT, build_dir, program
-from course_lib.process import run
-from course_lib.terminal import say
+from course_lib.paths import ROOT, build_dir, cores, program
+from course_lib.process import output_of, run
+from course_lib.terminal import Step, say
 
 LEAST = 95.0  # per cent of the lines of common/, error paths aside
 PRESET = "coverage"
+# What chapters inspect besides drawing, by their --inspect: our files and real ones of the test packages.
+INSPECTED = {"01_bezier_curves": ("assets/profiles/*", "/usr/share/icons/Adwaita/**/*.svg"), "04_kd_tree": ("assets/meshes/*",)}
+MOST_INSPECTED = 100  # files for each pattern, spread evenly
 
 NO_RETURN = re.compile(r"\[\[noreturn\]\][^;{(]*?\b(\w+)\s*\(")
 BRANCH_HEAD = re.compile(r"(\bif\b[^;{}]*|\belse\s*|\bcase\b[^;{}]*:\s*)$")
@@ -87,11 +94,28 @@ def chapter_coverage():
         counters.unlink()
     out = build_dir(PRESET) / "figures"
     shutil.rmtree(out, ignore_errors=True)
-    for chapter in chapters:
-        finished = run([program(chapter, PRESET), "--out", out], f"draw {chapter}")
-        if finished.code != 0:
-            raise CourseError(f"{chapter} failed under coverage: {finished.output.strip()}")
+    with Step("draw the chapters") as step, concurrent.futures.ThreadPoolExecutor(cores()) as pool:
+        drawn = [pool.submit(draw, chapter, out) for chapter in chapters]
+        for done, finished in enumerate(concurrent.futures.as_completed(drawn), start=1):
+            finished.result()
+            step.progress(done, len(chapters))
     return verdict(list(measured_lines(gcovr_report())))
+
+
+def draw(chapter, out):
+    """Draws a chapter's drafts by one thread (several would fight for the counters) and inspects files."""
+    output_of([program(chapter, PRESET), "--out", out, "--threads", 1])
+    for path in inspected(chapter):
+        # Files that are refused count too: their error paths are left out anyway.
+        subprocess.run([program(chapter, PRESET), "--inspect", path], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                       stderr=subprocess.DEVNULL)
+
+
+def inspected(chapter, root=ROOT):
+    """The files that a chapter inspects."""
+    for pattern in INSPECTED.get(chapter, ()):
+        files = sorted(glob.glob(str(root / pattern), recursive=True))
+        yield from files[::1 + len(files) // MOST_INSPECTED]
 
 
 def gcovr_report():
