@@ -14,6 +14,8 @@ namespace caustic {
 #ifdef __AVX512F__
 /// How many numbers of type Real one instruction works on: four, eight where there is AVX-512.
 inline constexpr unsigned wideRealLanes = 8;
+/// Names all of them; GCC 12 warns of its own header where an instruction is used without such a mask.
+inline constexpr unsigned char allLanes = 0xff;
 #else
 inline constexpr unsigned wideRealLanes = 4;
 #endif
@@ -29,7 +31,7 @@ inline WideReal inAllLanes(Real value) { return WideReal{} + value; }
 /// The smaller one, lane by lane; b where one is NaN.
 inline WideReal smaller(WideReal a, WideReal b) {
 #if defined(__AVX512F__)
-    return _mm512_min_pd(a, b);
+    return _mm512_maskz_min_pd(allLanes, a, b);
 #elif defined(__AVX2__)
     return _mm256_min_pd(a, b);
 #else
@@ -40,7 +42,7 @@ inline WideReal smaller(WideReal a, WideReal b) {
 /// The larger one, lane by lane; b where one is NaN.
 inline WideReal larger(WideReal a, WideReal b) {
 #if defined(__AVX512F__)
-    return _mm512_max_pd(a, b);
+    return _mm512_maskz_max_pd(allLanes, a, b);
 #elif defined(__AVX2__)
     return _mm256_max_pd(a, b);
 #else
