@@ -2,6 +2,7 @@
 
 #include "integrator/camera_connection.h"
 #include "integrator/density_walk.h"
+#include "integrator/direct_light.h"
 #include "integrator/light_start.h"
 #include "integrator/vertex_connection.h"
 #include "integrator/walk.h"
@@ -110,7 +111,7 @@ public:
         if (at.light() != nullptr) hit(at, path);
         if (at.bsdf() == nullptr || path.length >= tracer_.limits_.maxLength) return false;
         if (!spreads(at)) return true;
-        askForLight(at, path);
+        ask(at, path);
         for (const LightVertex& light : found_.light) {
             if (light.s + path.length <= tracer_.limits_.maxLength) connect(at, path, light);
         }
@@ -139,31 +140,22 @@ private:
     }
 
     // (1, t)
-    void askForLight(const Interaction& at, const WalkState& path) {
-        const int vertex = path.length - 1;
-        const auto chosen = tracer_.lights_.choose(numbers_.number(Dimension::vertex(vertex, VertexUse::LightChoice)));
-        if (!chosen) return;
-        const Light& light = *chosen->light;
-        const Vec2 u = numbers_.pair(Dimension::vertex(vertex, VertexUse::LightPoint));
-        const auto sample = light.sampleDirect(at.hit(), u);
-        if (!sample) return;
-        const Color f = at.bsdf()->f(at.wo(), sample->wi, TransportMode::Radiance);
-        if ((f == 0).all()) return;
-        const Color passed = tracer_.scene().transmittance(sample->ray, at.media(sample->wi), counts_);
-        if ((passed == 0).all()) return;
-        const Real pdfW = chosen->probability * sample->pdfW;
-        const Color value = path.beta * f * at.bsdf()->cosine(sample->wi) * sample->radiance * passed / pdfW;
+    void ask(const Interaction& at, const WalkState& path) {
+        const auto direct = askForLight(tracer_.scene(), tracer_.lights_, at, path.length - 1, numbers_, counts_);
+        if (!direct) return;
+        const Light& light = *direct->light.light;
+        const DirectSample& sample = direct->sample;
 
         // In the measure of solid angle, seen from here: what the light's first vertex is picked by.
         PathDensity first;
-        first.forward = pdfW;
+        first.forward = direct->pdfW;
         first.open = canBeHit(light) ? 1 : 0;
-        const Real fromLight = first.others(at.bsdf()->pdfW(at.wo(), sample->wi), 0);
-        const EmissionPdf pdf = light.pdfEmission(light.directPoint(u), -sample->wi);
-        const Real arrives = light.infinite() ? pdf.pdfA : pdf.pdfW / sample->ray.direction.squaredNorm();
-        const Real fromEye = walk_.density().others(arrives * geometricCosine(at.hit(), sample->wi),
-                                                    at.bsdf()->pdfW(sample->wi, at.wo()));
-        add(1, path.length + 1, value, fromLight + fromEye);
+        const Real fromLight = first.others(at.bsdf()->pdfW(at.wo(), sample.wi), 0);
+        const EmissionPdf pdf = light.pdfEmission(light.directPoint(direct->u), -sample.wi);
+        const Real arrives = light.infinite() ? pdf.pdfA : pdf.pdfW / sample.ray.direction.squaredNorm();
+        const Real fromEye =
+            walk_.density().others(arrives * geometricCosine(at.hit(), sample.wi), at.bsdf()->pdfW(sample.wi, at.wo()));
+        add(1, path.length + 1, path.beta * direct->value, fromLight + fromEye);
     }
 
     // (s, t)

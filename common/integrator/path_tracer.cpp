@@ -1,6 +1,7 @@
 #include "integrator/path_tracer.h"
 
 #include "core/not_implemented.h"
+#include "integrator/direct_light.h"
 #include "integrator/power_heuristic.h"
 #include "integrator/walk.h"
 
@@ -21,35 +22,47 @@ public:
     bool reached(const Interaction& at, const WalkState& path) {
         if (const Light* const light = at.light()) {
             const Color Le = at.Le();
-            if ((Le > 0).any()) {
-                const Real pdfW = arrival_.counts ? 0 : light->pdfW(arrival_.from, at.hit());
-                sum_ += path.beta * Le * tracer_.chanceWeight(arrival_, *light, pdfW);
-            }
+            if ((Le > 0).any()) meet(path.beta * Le, *light, asksBefore_ ? light->pdfW(from_, at.hit()) : 0);
         }
         if (at.bsdf() == nullptr || path.length >= tracer_.settings_.limits.maxLength) return false;
-        if (tracer_.settings_.direct != Direct::ByChance && anyOf(at.bsdf()->lobes(), spread))
-            sum_ += path.beta * tracer_.direct(at, path.length - 1, numbers_, counts_);
+        if (tracer_.settings_.direct != Direct::ByChance && anyOf(at.bsdf()->lobes(), spread)) ask(at, path);
         return true;
     }
 
     void scattered(const Interaction& at, const BsdfSample& sample) {
-        arrival_ = {sample.delta(), at.hit().point, sample.pdfW};
+        asksBefore_ = !sample.delta();
+        from_ = at.hit().point;
+        pdfW_ = sample.pdfW;
     }
 
     void escaped(const WalkState& path) {
-        for (const ChosenLight& one : tracer_.lights_.infinite()) {
-            const Real pdfW = arrival_.counts ? 0 : one.light->pdfW(arrival_.from, path.ray.direction);
-            sum_ += path.beta * one.light->Le(path.ray) * tracer_.chanceWeight(arrival_, *one.light, pdfW);
-        }
+        for (const ChosenLight& one : tracer_.lights_.infinite())
+            meet(path.beta * one.light->Le(path.ray), *one.light,
+                 asksBefore_ ? one.light->pdfW(from_, path.ray.direction) : 0);
     }
 
     const Color& sum() const { return sum_; }
 
 private:
+    // A light by chance. pdfW is that with which it picks this direction when it is asked.
+    void meet(const Color& value, const Light& light, Real pdfW) {
+        sum_ += value * tracer_.weight(Met::ByChance, tracer_.lights_.probability(light) * pdfW, pdfW_);
+    }
+
+    void ask(const Interaction& at, const WalkState& path) {
+        const auto direct = askForLight(tracer_.scene(), tracer_.lights_, at, path.length - 1, numbers_, counts_);
+        if (!direct) return;
+        const bool point = direct->light.light->deltaPlace();
+        const Real byChance = point ? 0 : at.bsdf()->pdfW(at.wo(), direct->sample.wi);
+        sum_ += path.beta * direct->value * tracer_.weight(Met::Asked, direct->pdfW, byChance);
+    }
+
     const PathTracer& tracer_;
     const PathNumbers& numbers_;
     RayCounts& counts_;
-    Arrival arrival_;
+    bool asksBefore_ = false;  // whether a light was asked for at the vertex before
+    Vec3 from_ = Vec3::Zero();
+    Real pdfW_ = 1;  // with which the path left it
     Color sum_ = Color::Zero();
 };
 
@@ -65,29 +78,12 @@ Color PathTracer::Li(const Ray& ray, const MediumStack& media, const PathNumbers
     return visitor.sum();
 }
 
-Color PathTracer::direct(const Interaction& at, int vertex, const PathNumbers& numbers, RayCounts& counts) const {
-    //! [ex-07.3]
-    const auto chosen = lights_.choose(numbers.number(Dimension::vertex(vertex, VertexUse::LightChoice)));
-    if (!chosen) return Color::Zero();
-    const Vec2 u = numbers.pair(Dimension::vertex(vertex, VertexUse::LightPoint));
-    const auto sample = chosen->light->sampleDirect(at.hit(), u);
-    if (!sample) return Color::Zero();
-    const Color f = at.bsdf()->f(at.wo(), sample->wi, TransportMode::Radiance);
-    if ((f == 0).all()) return Color::Zero();
-    const Color passed = scene().transmittance(sample->ray, at.media(sample->wi), counts);
-
-    const Real pdfW = chosen->probability * sample->pdfW;
-    const bool byChanceToo = settings_.direct == Direct::Mis && !chosen->light->deltaPlace();
-    const Real weight = byChanceToo ? powerHeuristic(pdfW, at.bsdf()->pdfW(at.wo(), sample->wi)) : 1;
-    return weight * f * at.bsdf()->cosine(sample->wi) * sample->radiance * passed / pdfW;
-    //! [ex-07.3]
-}
-
-Real PathTracer::chanceWeight(const Arrival& arrival, const Light& found, Real pdfW) const {
+Real PathTracer::weight(Met how, Real pdfAsked, Real pdfChance) const {
     //! [ex-07.4]
-    if (arrival.counts || settings_.direct == Direct::ByChance) return 1;
-    if (settings_.direct == Direct::DirectLight) return 0;
-    return powerHeuristic(arrival.pdfW, lights_.probability(found) * pdfW);
+    const bool asked = how == Met::Asked;
+    if (settings_.direct == Direct::ByChance) return asked ? 0 : 1;
+    if (settings_.direct == Direct::DirectLight) return asked || pdfAsked == 0 ? 1 : 0;
+    return asked ? powerHeuristic(pdfAsked, pdfChance) : powerHeuristic(pdfChance, pdfAsked);
     //! [ex-07.4]
 }
 

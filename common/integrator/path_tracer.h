@@ -32,21 +32,13 @@ public:
 
     Color Li(const Ray& ray, const MediumStack& media, const PathNumbers& numbers, RayCounts& counts) const override;
 
-    /// How the path came to where it is: what decides how much a light counts that it finds there.
-    struct Arrival {
-        bool counts = true;  ///< whatever it finds counts: it comes from the eye, or from a delta lobe
-        Vec3 from = Vec3::Zero();
-        Real pdfW = 0;  ///< with which that direction was sampled there, 1/sr
-    };
+    /// The two ways in which a path meets a light.
+    enum class Met { Asked, ByChance };
 
-    /// Light from one of the lights that a surface scatters along its wo, an estimate, W/(m²·sr); weighted if both ways
-    /// are used.
-    /// @param vertex  which vertex of the path it is, from 0
-    Color direct(const Interaction& at, int vertex, const PathNumbers& numbers, RayCounts& counts) const;
-
-    /// How much light counts that a path finds by chance.
-    /// @param found  its light; pdfW the density with which `direct` picks this direction once it has chosen it, 1/sr
-    Real chanceWeight(const Arrival& arrival, const Light& found, Real pdfW) const;
+    /// How much light counts that a path meets in one of the two ways.
+    /// @param pdfAsked   density of asking for it, 1/sr; 0 where nobody asks: at the eye, behind a delta lobe
+    /// @param pdfChance  density of going there by chance, 1/sr; 0 for a light with a delta place, which no path hits
+    Real weight(Met how, Real pdfAsked, Real pdfChance) const;
 
 private:
     class Visitor;

@@ -1,11 +1,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
 #include <memory>
 #include <numbers>
 
 #include "camera/box_filter.h"
+#include "integrator/direct_light.h"
 #include "integrator/path_tracer.h"
 #include "light/point_light.h"
 #include "material/diffuse_material.h"
@@ -50,16 +50,17 @@ Interaction onFloor(const Scene& scene) {
     return *scene.follow({Vec3(0, 0.4, 0), -Vec3::UnitY()}, media, passed, counts);
 }
 
-// What PathTracer::direct brings on average must be the expected value, within 5.5 standard errors.
-void expectDirect(const Scene& scene, Direct direct, Real expected, const std::string& question) {
-    const PathTracer tracer(scene, sampler, box, {.direct = direct});
+// What askForLight brings on average must be the expected value, within 5.5 standard errors.
+void expectDirect(const Scene& scene, Real expected, const std::string& question) {
+    const LightChoice lights(scene.lights());
     const Interaction at = onFloor(scene);
     constexpr int n = 200'000;
     Real sum = 0;
     Real squares = 0;
     RayCounts counts;
     for (int i = 0; i < n; ++i) {
-        const Real one = tracer.direct(at, i % 3, sampler.start(0, {0, 0}, i), counts).x();
+        const auto direct = askForLight(scene, lights, at, i % 3, sampler.start(0, {0, 0}, i), counts);
+        const Real one = direct ? direct->value.x() : 0;
         sum += one;
         squares += one * one;
     }
@@ -68,30 +69,31 @@ void expectDirect(const Scene& scene, Direct direct, Real expected, const std::s
     EXPECT_NEAR(mean, expected, 5.5 * error + 1e-9 * expected) << question;
 }
 
-// ρ/π I cos θ / d² of each light, whichever is chosen how often; and that no walk hits a point, whatever its settings.
+// ρ/π I cos θ / d² of each light, whichever is chosen how often. And what an answer brings times its density is what
+// the chosen light brings by itself.
 TEST(DirectLight, PointsAreChosenByPowerAndDividedByIt) {
     const Scene scene({{floor()}, {pointLight({0, 2, 0}, 4), pointLight({3, 4, 0}, 100)}, Color::Zero(), nullptr});
-    const Real expected = 0.5 / pi * (4.0 / 4 + 100.0 * 0.8 / 25);
-    expectDirect(scene, Direct::DirectLight, expected, "Is it divided by the probability of the light?");
-    expectDirect(scene, Direct::Mis, expected, "Can a walk hit a light at a point by chance?");
+    const Real single[2] = {0.5 / pi * 4.0 / 4, 0.5 / pi * 100.0 * 0.8 / 25};
+    expectDirect(scene, single[0] + single[1], "Is it divided by the probability of the light?");
+    const LightChoice lights(scene.lights());
+    const Interaction at = onFloor(scene);
+    RayCounts counts;
+    for (int i = 0; i < 100; ++i) {
+        const auto direct = askForLight(scene, lights, at, 0, sampler.start(0, {0, 0}, i), counts);
+        ASSERT_TRUE(direct);
+        const std::size_t chosen = direct->light.light == scene.lights()[0].get() ? 0 : 1;
+        EXPECT_NEAR(direct->pdfW * direct->value.x(), single[chosen], 1e-9) << "Is the density that of both choices?";
+    }
 }
 
-// ∫ f L cos θ cos θ' / d² w dA over the lamp, w = p² / (p² + q²): p the density of choosing the lamp and that
-// direction, q the floor's, cos θ / π; both over solid angle. By the midpoint rule.
-TEST(DirectLight, WeighsItselfAgainstChance) {
-    const Scene scene({{floor(), lamp(7)}, {pointLight({0, 900, 0}, 3)}, Color::Zero(), nullptr});
-    const Real lampPower = pi * 2 * 7;
-    const Real choice = lampPower / (lampPower + 4 * pi * 3);
-    constexpr int side = 500;
-    Real expected = 0;  // the lamp hides the point light from the floor
-    for (int i = 0; i < side * side; ++i) {
-        const Vec3 on(-1 + 2 * (i % side + 0.5) / side, 1.5, -0.5 + (i / side + 0.5) / side);
-        const Real cosine = 1.5 / on.norm();
-        const Real p = choice * on.squaredNorm() / (2 * cosine);
-        const Real q = cosine / pi;
-        expected += 2.0 / (side * side) * 0.5 / pi * 7 * cosine * cosine / on.squaredNorm() * p * p / (p * p + q * q);
-    }
-    expectDirect(scene, Direct::Mis, expected, "Which density does the weight take for asking, and in which measure?");
+// ρ L F with the form factor F of a rectangle with a corner straight above, in closed form; four of them make the lamp.
+TEST(DirectLight, ALampBringsItsFormFactor) {
+    const Scene scene({{floor(), lamp(7)}, {}, Color::Zero(), nullptr});
+    const Real x = 1 / 1.5;
+    const Real y = 0.5 / 1.5;
+    const Real corner = x / std::sqrt(1 + x * x) * std::atan(y / std::sqrt(1 + x * x)) +
+                        y / std::sqrt(1 + y * y) * std::atan(x / std::sqrt(1 + y * y));
+    expectDirect(scene, 0.5 * 7 * 4 * corner / (2 * pi), "f, the cosine, the radiance, the density of the direction?");
 }
 
 // A wall in the way leaves nothing of the light; a tinted pane without a surface e^(−σ d).
@@ -100,43 +102,47 @@ TEST(DirectLight, AsksWhatIsInTheWay) {
     pane.shape = std::make_shared<Box>(Vec3(-9, 1, -9), Vec3(9, 1.5, 9));
     pane.interior = Interior{1, std::make_shared<AbsorbingMedium>(Color::Constant(1.2)), 0};
     const Scene tinted({{floor(), pane}, {pointLight({0, 2, 0}, 4)}, Color::Zero(), nullptr});
-    expectDirect(tinted, Direct::DirectLight, 0.5 / pi * std::exp(-0.6), "What does the pane let pass?");
+    expectDirect(tinted, 0.5 / pi * std::exp(-0.6), "What does the pane let pass?");
 
     SceneObject wall = floor();
     wall.shape = pane.shape;
     const Scene dark({{floor(), wall}, {pointLight({0, 2, 0}, 4)}, Color::Zero(), nullptr});
-    expectDirect(dark, Direct::DirectLight, 0, "Is there a shadow?");
+    expectDirect(dark, 0, "Is there a shadow?");
 }
 
-// The power heuristic with the density of asking for this very light: its probability times that of the direction.
-TEST(ChanceWeight, IsWhatAskingLeaves) {
-    const Scene scene({{floor(), lamp(7)}, {pointLight({0, 9, 0}, 3)}, Color::Zero(), nullptr});
-    const PathTracer tracer(scene, sampler, box, {.direct = Direct::Mis});
-    const Real choice = pi * 2 * 7 / (pi * 2 * 7 + 4 * pi * 3);
-    for (const Real own : {0.01, 0.3, 20.0}) {
-        for (const Real asked : {0.02, 1.0, 7.0}) {
-            const Real p = choice * asked;
-            EXPECT_NEAR(tracer.chanceWeight({false, Vec3::Zero(), own}, *scene.lights()[0], asked),
-                        own * own / (own * own + p * p), 1e-12)
-                << "Is the light's probability part of the density with which it is asked for?";
+const Scene& anyScene() {
+    static const Scene scene({{floor(), lamp(7)}, {}, Color::Zero(), nullptr});
+    return scene;
+}
+
+// Where both ways lead to a light, each counts by the power heuristic, and the two weights sum to 1 (Veach, eq. 9.13).
+TEST(LightWeight, IsThePowerHeuristicOfBothWays) {
+    const PathTracer tracer(anyScene(), sampler, box, {.direct = Direct::Mis});
+    for (const Real asked : {0.02, 1.0, 7.0}) {
+        for (const Real chance : {0.01, 0.3, 20.0}) {
+            const Real all = asked * asked + chance * chance;
+            EXPECT_NEAR(tracer.weight(PathTracer::Met::Asked, asked, chance), asked * asked / all, 1e-12)
+                << "Whose density stands above?";
+            EXPECT_NEAR(tracer.weight(PathTracer::Met::ByChance, asked, chance), chance * chance / all, 1e-12)
+                << "Whose density stands above?";
         }
     }
 }
 
-// What nothing asks for counts as it is found: seen from the eye or over a delta lobe, or when no light is asked for at
-// all. What is always asked for must not count again.
-TEST(ChanceWeight, CountsWhatNobodyAskedFor) {
-    const Scene scene({{floor(), lamp(7)}, {}, Color::Zero(), nullptr});
-    const Light& light = *scene.lights()[0];
-    for (const Direct direct : {Direct::ByChance, Direct::DirectLight, Direct::Mis}) {
-        const PathTracer tracer(scene, sampler, box, {.direct = direct});
-        EXPECT_EQ(tracer.chanceWeight({true, Vec3::Zero(), 0.7}, light, 2), 1)
-            << "Does the surface before it ask for lights, if it is smooth?";
-    }
-    const PathTracer chance(scene, sampler, box, {.direct = Direct::ByChance});
-    EXPECT_EQ(chance.chanceWeight({false, Vec3::Zero(), 0.7}, light, 2), 1) << "Nobody asks for lights here.";
-    const PathTracer asking(scene, sampler, box, {.direct = Direct::DirectLight});
-    EXPECT_EQ(asking.chanceWeight({false, Vec3::Zero(), 0.7}, light, 2), 0) << "Is this light counted twice?";
+// Where only one way leads to a light it counts in full: nobody asks at the eye and behind a mirror, and no path hits a
+// point. Where always somebody asks, what is met by chance must not count again.
+TEST(LightWeight, CountsEverythingOnce) {
+    using Met = PathTracer::Met;
+    const PathTracer chance(anyScene(), sampler, box, {.direct = Direct::ByChance});
+    const PathTracer asking(anyScene(), sampler, box, {.direct = Direct::DirectLight});
+    const PathTracer both(anyScene(), sampler, box, {.direct = Direct::Mis});
+    for (const PathTracer* const one : {&chance, &asking, &both})
+        EXPECT_EQ(one->weight(Met::ByChance, 0, 0.7), 1) << "Does anybody ask behind a mirror?";
+    for (const PathTracer* const one : {&asking, &both})
+        EXPECT_EQ(one->weight(Met::Asked, 0.7, 0), 1) << "Does any path hit a light at a point?";
+    EXPECT_EQ(chance.weight(Met::ByChance, 2, 0.7), 1) << "With this setting nobody asks.";
+    EXPECT_EQ(asking.weight(Met::Asked, 2, 0.7), 1) << "With this setting somebody always asks.";
+    EXPECT_EQ(asking.weight(Met::ByChance, 2, 0.7), 0) << "Is this light counted twice?";
 }
 
 }  // namespace
