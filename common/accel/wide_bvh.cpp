@@ -67,7 +67,6 @@ public:
     }
 
 private:
-    static constexpr int bins = 32;
     static constexpr int deepestSplit = 24;  // below it ranges are halved
 
     struct Bin {
@@ -149,10 +148,16 @@ private:
     // Shortens `range` to its first part and returns the second.
     Range splitOff(Range& range, int depth) {
         if (depth >= deepestSplit) return halve(range);
+        // Few items don't need many bins, whose making takes longer than the items do.
+        return range.count() > 64 ? splitByBins<32>(range) : splitByBins<16>(range);
+    }
+
+    template <int bins>
+    Range splitByBins(Range& range) {
         const Row extent = range.centres.upper - range.centres.lower;
         Row scale{};
         for (unsigned axis = 0; axis < 3; ++axis) scale[axis] = extent[axis] > 0 ? 0.999F * bins / extent[axis] : 0;
-        const Split split = bestSplit(range, scale);
+        const Split split = bestSplit<bins>(range, scale);
         return split.cost < infinity ? partition(range, split, scale) : halve(range);
     }
 
@@ -160,6 +165,7 @@ private:
         return __builtin_convertvector((box.lower + box.upper - base) * scale, IntRow);
     }
 
+    template <int bins>
     Split bestSplit(const Range& range, Row scale) const {
         std::array<std::array<Bin, bins>, 3> table;
         for (std::uint32_t i = range.begin; i < range.end; ++i) {
@@ -173,11 +179,12 @@ private:
         }
         Split best;
         for (unsigned axis = 0; axis < 3; ++axis) {
-            if (scale[axis] > 0) sweep(table[axis], axis, best);
+            if (scale[axis] > 0) sweep<bins>(table[axis], axis, best);
         }
         return best;
     }
 
+    template <int bins>
     static void sweep(const std::array<Bin, bins>& table, unsigned axis, Split& best) {
         std::array<float, bins> upperCost{};
         Box box;

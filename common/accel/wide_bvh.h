@@ -22,7 +22,7 @@ struct BuildBox {
 /// Bounding volume hierarchy with eight children a node, tested at once: the modern rival of the KD-tree. It sorts
 /// items instead of cutting space, so each item is in one leaf; in return the boxes of neighbours overlap.
 ///
-/// Built by the surface area heuristic over 32 bins (Wald 2007): a node's widest child is split until there are eight
+/// Built by the surface area heuristic over 16 or 32 bins (Wald 2007): a node's widest child is split until there are eight
 /// (Wald, Benthin, Boulos 2008). A leaf is one block of at most eight items. All coordinates are in [-1, 1] (see
 /// TreeRay).
 class WideBvh {
