@@ -15,7 +15,8 @@ namespace caustic {
 
 namespace {
 
-constexpr int width = 32;  // of the measured pictures
+constexpr int width = 32;       // of the measured pictures
+constexpr int repetitions = 4;  // with the same seeds for a draft, so that its points are the report's first ones
 constexpr double noLimit = 1e9;
 
 // One method on one scene: its picture looked at after 1, 2, 4 … samples, several times anew.
@@ -45,7 +46,7 @@ void measureOnce(Run& run, const Scene& scene, const Image& reference, std::int6
     run.bad += rendering.film.badSamples();
 }
 
-void measure(Run& run, const Image& reference, std::int64_t mostSamples, int repetitions, std::uint64_t seed) {
+void measure(Run& run, const Image& reference, std::int64_t mostSamples, std::uint64_t seed) {
     const Scene scene(run.scene->make(width));
     for (int i = 0; i < repetitions; ++i)
         measureOnce(run, scene, reference, mostSamples, seed + static_cast<std::uint64_t>(i));
@@ -69,7 +70,6 @@ const ConvergencePoints& ChapterRuns::convergence(FigureContext& context) {
     if (convergence_) return *convergence_;
     const auto& scenes = measuredScenes();
     const std::int64_t mostSamples = context.byQuality(16, 256);
-    const int repetitions = context.byQuality(1, 4);
     std::vector<Run> runs;
     std::vector<Image> references;
     for (const MeasuredScene& scene : scenes) {
@@ -80,7 +80,7 @@ const ConvergencePoints& ChapterRuns::convergence(FigureContext& context) {
     context.progress().expect(static_cast<std::int64_t>(runs.size()));
     parallelFor(static_cast<std::int64_t>(runs.size()), context.threads(), [&](std::int64_t i) {
         const auto at = static_cast<std::size_t>(i);
-        measure(runs[at], references[at / allMethods.size()], mostSamples, repetitions, context.seed() + 1000 * at);
+        measure(runs[at], references[at / allMethods.size()], mostSamples, context.seed() + 1000 * at);
         context.progress().advance();
     });
     convergence_.emplace();

@@ -27,18 +27,18 @@ void expectAgreement(std::size_t scene, std::int64_t samples) {
     EXPECT_LE(agreement.largestError, 1e-3) << agreement.worst;
 }
 
-TEST(LargeAgreement, DiffuseBox) { expectAgreement(0, 40); }
-TEST(LargeAgreement, SmoothNormals) { expectAgreement(1, 40); }
-TEST(LargeAgreement, GlassBall) { expectAgreement(2, 40); }
-TEST(LargeAgreement, PointLamp) { expectAgreement(3, 40); }
-TEST(LargeAgreement, Glossy) { expectAgreement(4, 40); }
+TEST(LargeAgreement, DiffuseBox) { expectAgreement(0, 12); }
+TEST(LargeAgreement, SmoothNormals) { expectAgreement(1, 18); }
+TEST(LargeAgreement, GlassBall) { expectAgreement(2, 44); }
+TEST(LargeAgreement, PointLamp) { expectAgreement(3, 22); }
+TEST(LargeAgreement, Glossy) { expectAgreement(4, 20); }
 
 // The power: a method that is one percent too bright is found.
 TEST(LargeAgreement, OnePercentIsFound) {
     std::vector<test::AgreementMethod> methods = test::agreementMethods();
     methods.back() = test::brightened(methods.back(), 0.01);
     const std::vector<test::AgreementScene> box = {test::agreementScenes().front()};
-    EXPECT_FALSE(test::compareMethods(box, methods, batches, 40, 2).agrees());
+    EXPECT_FALSE(test::compareMethods(box, methods, batches, 12, 2).agrees());
 }
 
 }  // namespace
