@@ -290,6 +290,12 @@ function(caustic_tests name)
   string(SUBSTRING ${name} 0 2 nn)
   string(REGEX REPLACE "^0+" "" chapter ${nn})
   _caustic_chapter_library(library ${chapter})
+  if(TARGET ${name})
+    # In a file of its own: with no path of the tree in their commands, ccache compiles the tests once for all trees.
+    set(program "${CMAKE_CURRENT_BINARY_DIR}/chapter_program_${nn}.cpp")
+    file(GENERATE OUTPUT "${program}" CONTENT
+      "#include \"support/paths.h\"\n\nstd::string caustic::test::chapterProgram() { return R\"($<TARGET_FILE:${name}>)\"; }\n")
+  endif()
   foreach(kind graded property stability large)
     file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/${name}/${kind}_*.cpp")
     if(NOT sources)
@@ -303,9 +309,7 @@ function(caustic_tests name)
     # The library of a chapter may come before its executable.
     if(NOT kind STREQUAL "graded" AND TARGET ${name})
       target_link_libraries(${target} PRIVATE ${name}_parts ${arg_LIBRARIES})
-      # Not for graded tests: with no path of the tree in its command, ccache compiles them once for all trees.
-      target_compile_definitions(${target} PRIVATE "CAUSTIC_SOURCE_DIR=\"${CMAKE_SOURCE_DIR}\""
-        "CAUSTIC_CHAPTER_PROGRAM=\"$<TARGET_FILE:${name}>\"")
+      target_sources(${target} PRIVATE "${program}")
       add_dependencies(${target} ${name})
     endif()
     gtest_discover_tests(${target} TEST_PREFIX "${nn}.${kind}." DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60

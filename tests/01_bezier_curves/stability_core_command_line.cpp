@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "core/process.h"
+#include "support/paths.h"
 
 namespace caustic {
 namespace {
@@ -23,7 +24,7 @@ protected:
     void TearDown() override { fs::remove_all(folder_); }
 
     ProcessResult run(std::vector<std::string> arguments) const {
-        std::vector<std::string> command = {"env", "-C", folder_.string(), CAUSTIC_CHAPTER_PROGRAM};
+        std::vector<std::string> command = {"env", "-C", folder_.string(), test::chapterProgram()};
         command.insert(command.end(), arguments.begin(), arguments.end());
         return runProcess(command).value();
     }

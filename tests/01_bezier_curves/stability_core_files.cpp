@@ -14,6 +14,7 @@
 #include "core/progress.h"
 #include "core/provenance.h"
 #include "core/text.h"
+#include "support/paths.h"
 
 namespace caustic {
 namespace {
@@ -126,7 +127,7 @@ protected:
     // The message of the error that drawing this script ends in; empty when it is drawn.
     std::string failureOf(const std::string& script) const {
         try {
-            drawChart({fs::path(CAUSTIC_SOURCE_DIR) / "common/core/style.gp", write("chart.gp", script)}, folder_,
+            drawChart({test::sourceDir() / "common/core/style.gp", write("chart.gp", script)}, folder_,
                       folder_ / "chart.png");
             return "";
         } catch (const InputError& error) {

@@ -11,6 +11,7 @@
 #include "core/error.h"
 #include "curve/profile_text.h"
 #include "support/measured_process.h"
+#include "support/paths.h"
 #include "support/temporary_folder.h"
 
 namespace caustic {
@@ -32,7 +33,7 @@ protected:
         fs::create_directories(folder_.path() / "empty");
         // The sanitizer keeps freed memory for a while to catch uses of it; that is not the program's.
         return test::runMeasured({"env", "ASAN_OPTIONS=quarantine_size_mb=1:thread_local_quarantine_size_kb=64",
-                                  CAUSTIC_CHAPTER_PROGRAM, "--inspect", profile},
+                                  test::chapterProgram(), "--inspect", profile},
                                  folder_.path() / "empty");
     }
 
@@ -219,7 +220,7 @@ TEST_F(Inspect, RefusesXmlBombsInLittleMemory) {
 TEST_F(Inspect, SaysWhenItsOutputIsLost) {
     const std::string file = path("M0 0L1 1");
     const test::MeasuredRun run = test::runMeasured(
-        {"sh", "-c", "exec \"$0\" --inspect \"$1\" > /dev/full", CAUSTIC_CHAPTER_PROGRAM, file}, folder_.path());
+        {"sh", "-c", "exec \"$0\" --inspect \"$1\" > /dev/full", test::chapterProgram(), file}, folder_.path());
     EXPECT_EQ(run.exitCode, 2);
     EXPECT_NE(run.errors.find("standard output: cannot be written"), std::string::npos) << run.errors;
 }

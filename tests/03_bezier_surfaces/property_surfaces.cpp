@@ -15,6 +15,7 @@
 #include "shape/surface_of_revolution.h"
 #include "shape/tessellation.h"
 #include "support/in_cube.h"
+#include "support/paths.h"
 #include "triangle_tree.h"
 
 namespace caustic {
@@ -187,7 +188,7 @@ TEST(Tessellation, TrianglesAndPatchAgree) {
 
 // The teapot's numbers: edges that two patches share have the same control points, bit for bit.
 TEST(Teapot, RaysAtSharedEdgesMissNothing) {
-    const auto patches = loadPatches(std::string(CAUSTIC_SOURCE_DIR) + "/assets/teapot/teapot.txt");
+    const auto patches = loadPatches((test::sourceDir() / "assets/teapot/teapot.txt").string());
     ASSERT_EQ(patches.size(), 32U);
     struct Edge {
         std::vector<Vec3> points;

@@ -12,6 +12,7 @@
 #include "shape/surface_of_revolution.h"
 #include "shape/tessellation.h"
 #include "support/measured_process.h"
+#include "support/paths.h"
 #include "support/temporary_folder.h"
 
 namespace caustic {
@@ -94,10 +95,10 @@ TEST(Profile, IsTurnedAndDrawnOrRefusedInOneLine) {
     const test::TemporaryFolder folder;
     const auto run = [&](const std::string& option, const std::string& value) {
         return test::runMeasured(
-            {CAUSTIC_CHAPTER_PROGRAM, option, value, "--out", (folder / "out").string(), "--threads", "1"},
+            {test::chapterProgram(), option, value, "--out", (folder / "out").string(), "--threads", "1"},
             folder.path());
     };
-    const std::string vase = std::string(CAUSTIC_SOURCE_DIR) + "/assets/profiles/vase.svg";
+    const std::string vase = (test::sourceDir() / "assets/profiles/vase.svg").string();
     const test::MeasuredRun good = run("--profile", vase);
     EXPECT_EQ(good.exitCode, 0) << good.errors;
     EXPECT_TRUE(std::filesystem::exists(folder / "out/03_bezier_surfaces/revolved.png"));

@@ -323,7 +323,7 @@ TEST(RealFiles, AgreeWithTinyobjloader) {
 TEST(Inspect, PrintsJsonAndRefusesWhatIsNoMesh) {
     const test::TemporaryFolder folder;
     const auto low = (test::sourceDir() / "assets/meshes/bunny_low.obj").string();
-    const test::MeasuredRun fine = test::runMeasured({CAUSTIC_CHAPTER_PROGRAM, "--inspect", low}, folder.path());
+    const test::MeasuredRun fine = test::runMeasured({test::chapterProgram(), "--inspect", low}, folder.path());
     EXPECT_EQ(fine.exitCode, 0) << fine.errors;
     EXPECT_NE(fine.output.find("\"triangles\": 3674"), std::string::npos) << fine.output;
     EXPECT_NE(fine.output.find("\"watertight\":"), std::string::npos);
@@ -331,7 +331,7 @@ TEST(Inspect, PrintsJsonAndRefusesWhatIsNoMesh) {
     for (const BadFile& bad : {badFiles[0], badFiles[10], badFiles[13]}) {
         const fs::path file = folder.write("bad.obj", bad.text);
         const test::MeasuredRun run =
-            test::runMeasured({CAUSTIC_CHAPTER_PROGRAM, "--inspect", file.string()}, folder.path());
+            test::runMeasured({test::chapterProgram(), "--inspect", file.string()}, folder.path());
         EXPECT_EQ(run.exitCode, 2);
         EXPECT_EQ(std::ranges::count(run.errors, '\n'), 1) << run.errors;
         EXPECT_TRUE(run.output.empty());

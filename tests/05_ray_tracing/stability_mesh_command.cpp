@@ -8,6 +8,7 @@
 #include "core/process.h"
 #include "image/image_file.h"
 #include "math/color.h"
+#include "support/paths.h"
 #include "support/temporary_folder.h"
 
 namespace caustic {
@@ -19,7 +20,7 @@ constexpr const char* cube =
 
 ProcessResult renderMesh(const std::string& file, const std::string& material, const std::filesystem::path& out) {
     return *runProcess(
-        {CAUSTIC_CHAPTER_PROGRAM, "--mesh", file, "--material", material, "--threads", "1", "--out", out.string()});
+        {test::chapterProgram(), "--mesh", file, "--material", material, "--threads", "1", "--out", out.string()});
 }
 
 TEST(MeshCommand, WritesAPictureForEachMaterial) {
@@ -71,7 +72,7 @@ TEST(MeshCommand, BadInputIsOneLineAndWritesNothing) {
         EXPECT_FALSE(std::filesystem::exists(folder / "out"));
     }
     EXPECT_EQ(renderMesh("", "glass", folder / "out").exitCode, 2);
-    const auto alone = runProcess({CAUSTIC_CHAPTER_PROGRAM, "--mesh"});
+    const auto alone = runProcess({test::chapterProgram(), "--mesh"});
     EXPECT_EQ(alone->exitCode, 2);
 }
 
@@ -92,7 +93,7 @@ TEST(MeshCommand, UnwritableFoldersAreNamed) {
 TEST(ChapterProgram, SaysWhenGnuplotIsMissing) {
     const test::TemporaryFolder folder;
     const auto run = [&](const char* figure) {
-        return *runProcess({"/usr/bin/env", "PATH=/nowhere", CAUSTIC_CHAPTER_PROGRAM, "--only", figure, "--quality",
+        return *runProcess({"/usr/bin/env", "PATH=/nowhere", test::chapterProgram(), "--only", figure, "--quality",
                             "draft", "--threads", "1", "--out", folder.path().string()});
     };
     const ProcessResult chart = run("failure");

@@ -5,13 +5,14 @@
 #include <vector>
 
 #include "core/process.h"
+#include "support/paths.h"
 #include "support/temporary_folder.h"
 
 namespace caustic {
 namespace {
 
 ProcessResult run(std::vector<std::string> arguments, const std::filesystem::path& out) {
-    arguments.insert(arguments.begin(), CAUSTIC_CHAPTER_PROGRAM);
+    arguments.insert(arguments.begin(), test::chapterProgram());
     for (const char* const more : {"--threads", "1", "--out"}) arguments.push_back(more);
     arguments.push_back(out.string());
     return *runProcess(arguments);
