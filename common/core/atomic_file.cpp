@@ -39,6 +39,8 @@ void writeAtomically(const std::filesystem::path& path,
     if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), failure);
     if (failure)
         throw InputError({path.parent_path().string(), 0}, "", "this folder cannot be made: " + failure.message());
+    // Root may replace even /dev/null, and every program that writes there would fill a file from then on.
+    if (std::filesystem::is_other(path)) throw InputError({path.string(), 0}, "", "is a device, not a file to replace");
 
     const TemporaryFile temporary(temporaryBeside(path));
     write(temporary.path());

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -88,6 +89,15 @@ TEST_F(AtomicFile, UnwritableFolderIsAnInputErrorWithItsName) {
     }
     EXPECT_THROW(writeTextAtomically("/proc/figure.csv", "x"), InputError);
     EXPECT_EQ(names(), std::set<std::string>{"blocker"});
+}
+
+// A pipe stands for /dev/null, which root could really replace.
+TEST_F(AtomicFile, DoesNotReplaceADevice) {
+    const fs::path pipe = folder_ / "pipe";
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    EXPECT_THROW(writeTextAtomically(pipe, "text"), InputError) << "Is what is there a file at all?";
+    EXPECT_TRUE(fs::is_fifo(pipe));
+    EXPECT_EQ(names(), std::set<std::string>{"pipe"});
 }
 
 TEST_F(AtomicFile, DoesNotReplaceAFolder) {

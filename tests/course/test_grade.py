@@ -1,10 +1,12 @@
 """./course grade on the toy course: points, reports that fit their schemas, whose chapters are graded, clear errors."""
 
 import json
+import os
 import tempfile
 import unittest
 from pathlib import Path
 
+from exercises.reports import write_file
 from exercises.trees import starter_overlay
 from schema_check import json_errors, read, xml_errors
 from toy_course import course, grade, make_toy, outcomes, write_body
@@ -107,6 +109,15 @@ class Grade(unittest.TestCase):
         files[SUMS] = files[SUMS].replace(b"double sum = 0;", b"double sum = 0;\n    int i = 2.5f;")
         files[SUMS] = b"".join(line + b"\n" for line in files[SUMS].splitlines() if b"//!" not in line)
         self.assertEqual(grade(self.toy, "01", self.submission("warning", files))["points"], 100)
+
+    def test_a_report_into_a_pipe_does_not_replace_it(self):
+        pipe = self.top / "pipe"
+        os.mkfifo(pipe)
+        reader = os.open(pipe, os.O_RDONLY | os.O_NONBLOCK)
+        self.addCleanup(os.close, reader)
+        write_file(pipe, b"points")
+        self.assertTrue(pipe.is_fifo())
+        self.assertEqual(os.read(reader, 100), b"points")
 
     def test_errors_are_one_line(self):
         wrong = {

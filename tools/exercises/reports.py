@@ -152,7 +152,7 @@ def for_xml(text):
 
 
 def write_file(path, content):
-    """Through a temporary file, so that no half report is left.
+    """Through a temporary file, so that no half report is left; straight into a device or a pipe.
 
     @throws CourseError when it cannot be written
     """
@@ -160,6 +160,9 @@ def write_file(path, content):
     data = content if isinstance(content, bytes) else (json.dumps(content, indent=2) + "\n").encode()
     temporary = path.with_name(path.name + ".tmp")
     try:
+        if path.exists() and not path.is_file() and not path.is_dir():
+            path.write_bytes(data)  # root could replace even /dev/stdout
+            return
         temporary.write_bytes(data)
         os.replace(temporary, path)
     except OSError as error:
