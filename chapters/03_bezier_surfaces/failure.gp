@@ -9,7 +9,7 @@ row(name) = (found = known(name), found > 0 ? found : added(name))
 none = 1.6e-5
 array methods[4] = ["robust", "random start", "4x4 starts", "bracketing with 8 samples"]
 stats file using (row(strcol(2))) nooutput
-set title "Where each method breaks\n{/*0.75 share of the rays of each set whose nearest meeting is lost, invented or not the nearest; each set goes through\neight difficult surfaces; what lies in the band of tangency is left out}" font ",22"
+set title "Where each method breaks\n{/*0.75 share of the rays of each set whose nearest meeting is lost, invented or not the nearest; each set goes through}\n{/*0.75 eight difficult surfaces; what lies in the band of tangency is left out}" font ",22"
 set yrange [count + 0.7:0.3]
 set xrange [0.8e-5:2]
 set logscale x
