@@ -23,7 +23,7 @@ from course_lib.paths import ROOT, shown
 from course_lib.png import read_png, worst_block
 
 DEFAULTS = {"relative": 1e-6, "absolute": 0.0, "block": 2.0}
-KEYS = (("method", "setting"), ("method", "case"))
+KEYS = (("method", "setting"), ("method", "case"), ("method", "triangles"))
 SIGMAS = 6  # false alarm of a rate below 1e-8
 
 
