@@ -195,6 +195,19 @@ function(_caustic_chapter_library out chapter)
   set(${out} ${target} PARENT_SCOPE)
 endfunction()
 
+# A chapter's files with these extensions: those on top, and those of what draws its figures, what times and charts, and
+# what counts failures.
+function(_caustic_chapter_files out name)
+  set(patterns "")
+  foreach(folder ${name} ${name}/figures ${name}/measures ${name}/failures)
+    foreach(extension IN LISTS ARGN)
+      list(APPEND patterns "${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.${extension}")
+    endforeach()
+  endforeach()
+  file(GLOB found CONFIGURE_DEPENDS ${patterns})
+  set(${out} "${found}" PARENT_SCOPE)
+endfunction()
+
 # Generates <binary dir>/<NN_name>/chapter_inputs.h: the hash of every source that can change the chapter's figures.
 # It is made anew when one of them changes, so an executable always carries the hash of what it was built from.
 function(_caustic_inputs_header chapter name target)
@@ -211,8 +224,7 @@ function(_caustic_inputs_header chapter name target)
   # Paths only decide when to hash again; which assets a figure reads, it says itself when it opens them.
   file(GLOB_RECURSE assets CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/assets/*")
   list(APPEND depends ${assets})
-  file(GLOB own CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp" "${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.h"
-    "${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.gp" "${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.json")
+  _caustic_chapter_files(own ${name} cpp h gp json)
   add_custom_command(OUTPUT "${header}"
     COMMAND Python3::Interpreter "${CMAKE_SOURCE_DIR}/tools/inputs.py" "${CMAKE_BINARY_DIR}/declarations.json" "${name}" "${header}"
     DEPENDS ${depends} ${own} "${CMAKE_SOURCE_DIR}/tools/inputs.py"
@@ -223,7 +235,7 @@ endfunction()
 
 # caustic_chapter(<NN_name> FIGURES <file>... [LIBRARIES <library>...])
 #
-# Declares chapters/NN_name: the executable NN_name from main.cpp, and a library <NN_name>_parts from the folder's other
+# Declares chapters/NN_name: the executable NN_name from main.cpp, and a library <NN_name>_parts from its other
 # sources, so that tests can reach them. FIGURES are the PNG files that the chapter writes.
 function(caustic_chapter name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "FIGURES;LIBRARIES")
@@ -239,7 +251,7 @@ function(caustic_chapter name)
   string(REGEX REPLACE "^0+" "" chapter ${nn})
   _caustic_chapter_library(library ${chapter})
 
-  file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp")
+  _caustic_chapter_files(sources ${name} cpp)
   list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")
   if(sources)
     add_library(${name}_parts STATIC ${sources})

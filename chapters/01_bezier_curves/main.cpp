@@ -1,7 +1,7 @@
 #include <iostream>
 
 #include "chapter_inputs.h"
-#include "core/chapter.h"
+#include "figure/chapter.h"
 #include "figures.h"
 #include "inspect.h"
 

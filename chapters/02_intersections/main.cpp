@@ -1,9 +1,9 @@
 #include <iostream>
 
 #include "chapter_inputs.h"
-#include "core/chapter.h"
+#include "failures/print_leaks.h"
+#include "figure/chapter.h"
 #include "figures.h"
-#include "print_leaks.h"
 
 int main(int argc, char** argv) {
     using namespace caustic;

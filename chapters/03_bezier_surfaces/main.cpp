@@ -1,11 +1,11 @@
 #include <iostream>
 
 #include "chapter_inputs.h"
-#include "core/chapter.h"
+#include "failures/print_roots.h"
+#include "figure/chapter.h"
 #include "figures.h"
-#include "print_lathe.h"
-#include "print_roots.h"
-#include "profile_picture.h"
+#include "figures/profile_picture.h"
+#include "measures/print_lathe.h"
 
 int main(int argc, char** argv) {
     using namespace caustic;

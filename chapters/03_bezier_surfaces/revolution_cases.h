@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/random.h"
-#include "shape/surface_of_revolution.h"
+#include "surface/surface_of_revolution.h"
 
 namespace caustic {
 

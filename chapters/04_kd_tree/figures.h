@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/figure.h"
+#include "figure/figure.h"
 
 /// The chapter's figures, each drawn by one function; main.cpp is their table of contents.
 namespace caustic {

@@ -9,10 +9,10 @@
 #include <ostream>
 
 #include "core/error.h"
-#include "core/timing.h"
+#include "figure/timing.h"
+#include "mesh/mesh_file.h"
+#include "mesh/mesh_tree.h"
 #include "mesh_sets.h"
-#include "shape/mesh_file.h"
-#include "shape/mesh_tree.h"
 
 namespace caustic {
 

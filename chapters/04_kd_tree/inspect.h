@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <iosfwd>
 
-#include "shape/mesh_data.h"
+#include "mesh/mesh_data.h"
 
 namespace caustic {
 

@@ -6,7 +6,7 @@
 
 #include "core/random.h"
 #include "math/ray.h"
-#include "shape/mesh_data.h"
+#include "mesh/mesh_data.h"
 
 namespace caustic {
 

@@ -2,8 +2,8 @@
 #include <vector>
 
 #include "chapter_inputs.h"
-#include "core/chapter.h"
-#include "core/take_option.h"
+#include "figure/chapter.h"
+#include "figure/take_option.h"
 #include "figures.h"
 #include "mesh_command.h"
 

@@ -4,11 +4,11 @@
 
 #include "core/error.h"
 #include "core/progress.h"
+#include "figures/picture.h"
 #include "image/image_file.h"
 #include "material/diffuse_material.h"
 #include "material/mirror_material.h"
 #include "mesh_shape.h"
-#include "picture.h"
 #include "scenes.h"
 
 namespace caustic {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "core/figure.h"
+#include "figure/figure.h"
 
 namespace caustic {
 

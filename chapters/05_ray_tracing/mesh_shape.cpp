@@ -6,9 +6,9 @@
 #include <numbers>
 #include <utility>
 
-#include "shape/mesh_file.h"
-#include "shape/triangle_mesh.h"
-#include "shape/vertex_normals.h"
+#include "mesh/mesh_file.h"
+#include "mesh/triangle_mesh.h"
+#include "mesh/vertex_normals.h"
 
 namespace caustic {
 

@@ -1,5 +1,5 @@
 #include "chapter_inputs.h"
-#include "core/chapter.h"
+#include "figure/chapter.h"
 #include "figures.h"
 
 int main(int argc, char** argv) {

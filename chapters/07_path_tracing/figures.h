@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/figure.h"
-#include "runs.h"
+#include "figure/figure.h"
+#include "measures/runs.h"
 
 /// The chapter's figures, each drawn by one function; main.cpp is their table of contents.
 namespace caustic {

@@ -2,12 +2,12 @@
 #include <vector>
 
 #include "chapter_inputs.h"
-#include "core/chapter.h"
-#include "core/take_option.h"
+#include "figure/chapter.h"
+#include "figure/take_option.h"
 #include "figures.h"
-#include "needs_command.h"
-#include "reference_command.h"
-#include "timed_command.h"
+#include "measures/needs_command.h"
+#include "measures/reference_command.h"
+#include "measures/timed_command.h"
 
 int main(int argc, char** argv) {
     using namespace caustic;

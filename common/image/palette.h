@@ -21,8 +21,8 @@ struct Ink {
     friend constexpr bool operator==(const Ink&, const Ink&) = default;
 };
 
-/// The colours of all figures, drawn or plotted: those of core/style.gp. The first six are Okabe and Ito's (2008), told
-/// apart by colour-blind readers too.
+/// The colours of all figures, drawn or plotted: those of figure/style.gp. The first six are Okabe and Ito's (2008),
+/// told apart by colour-blind readers too.
 namespace palette {
 
 /// Colours of lines and areas, in the order in which a chart takes them.

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/figure.h"
+#include "figure/figure.h"
 #include "image/image.h"
 
 namespace caustic {

@@ -7,9 +7,9 @@
 #include <limits>
 
 #include "core/check.h"
-#include "core/csv_table.h"
 #include "core/random.h"
 #include "core/text.h"
+#include "figure/csv_table.h"
 
 namespace caustic {
 namespace {

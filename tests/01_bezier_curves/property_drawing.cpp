@@ -296,7 +296,7 @@ TEST(Drawing, RefusesWhatCannotBeDrawn) {
 TEST(Palette, IsThatOfTheCharts) {
     const Ink inks[] = {palette::blue,   palette::vermilion, palette::green, palette::purple,
                         palette::orange, palette::sky,       palette::dark,  palette::brown};
-    std::ifstream style(test::sourceDir() / "common/core/style.gp");
+    std::ifstream style(test::sourceDir() / "common/figure/style.gp");
     const std::regex lineType(R"re(set linetype (\d) lc rgb "#(..)(..)(..)".*)re");
     std::size_t found = 0;
     for (std::string line; std::getline(style, line);) {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "curve/bezier_curve.h"
-#include "evaluation_error.h"
+#include "measures/evaluation_error.h"
 
 namespace caustic {
 namespace {

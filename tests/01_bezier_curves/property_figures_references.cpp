@@ -5,7 +5,7 @@
 #include "core/random.h"
 #include "curve_with_turns.h"
 #include "length_methods.h"
-#include "reference_length.h"
+#include "measures/reference_length.h"
 
 namespace caustic {
 namespace {

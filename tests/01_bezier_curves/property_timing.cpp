@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "core/timing.h"
+#include "figure/timing.h"
 
 namespace caustic {
 namespace {

@@ -10,11 +10,11 @@
 
 #include "core/atomic_file.h"
 #include "core/error.h"
-#include "core/gnuplot.h"
 #include "core/process.h"
 #include "core/progress.h"
-#include "core/provenance.h"
 #include "core/text.h"
+#include "figure/gnuplot.h"
+#include "figure/provenance.h"
 #include "support/paths.h"
 
 namespace caustic {
@@ -137,7 +137,7 @@ protected:
     // The message of the error that drawing this script ends in; empty when it is drawn.
     std::string failureOf(const std::string& script) const {
         try {
-            drawChart({test::sourceDir() / "common/core/style.gp", write("chart.gp", script)}, folder_,
+            drawChart({test::sourceDir() / "common/figure/style.gp", write("chart.gp", script)}, folder_,
                       folder_ / "chart.png");
             return "";
         } catch (const InputError& error) {

@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "failure_cases.h"
+#include "failures/failure_cases.h"
 
 namespace caustic {
 namespace {

@@ -6,6 +6,7 @@
 #include "core/error.h"
 #include "leaving.h"
 #include "math/transform.h"
+#include "measures/sphere_accuracy.h"
 #include "shape/ball.h"
 #include "shape/box.h"
 #include "shape/group.h"
@@ -14,7 +15,6 @@
 #include "shape/ring_cylinder.h"
 #include "shape/sphere.h"
 #include "shape/triangle.h"
-#include "sphere_accuracy.h"
 
 namespace caustic {
 namespace {

@@ -2,10 +2,10 @@
 
 #include <limits>
 
+#include "failures/slab_cases.h"
 #include "leaving.h"
 #include "math/slabs.h"
 #include "shape/box.h"
-#include "slab_cases.h"
 
 namespace caustic {
 namespace {

@@ -3,10 +3,10 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "closed_mesh.h"
 #include "core/error.h"
-#include "leaks.h"
-#include "print_leaks.h"
+#include "failures/closed_mesh.h"
+#include "failures/leaks.h"
+#include "failures/print_leaks.h"
 #include "shape/cramer.h"
 #include "shape/triangle.h"
 #include "shape/watertight.h"

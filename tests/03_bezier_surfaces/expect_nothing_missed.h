@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "root_examination.h"
+#include "failures/root_examination.h"
 
 namespace caustic::test {
 

@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "core/random.h"
-#include "shape/newton.h"
-#include "shape/revolved_curve.h"
 #include "support/in_cube.h"
+#include "surface/newton.h"
+#include "surface/revolved_curve.h"
 
 namespace caustic {
 namespace {

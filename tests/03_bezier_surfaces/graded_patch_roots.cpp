@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "core/random.h"
-#include "shape/patch_roots.h"
 #include "support/in_cube.h"
+#include "surface/patch_roots.h"
 
 namespace caustic {
 namespace {

@@ -4,9 +4,9 @@
 #include <numbers>
 
 #include "core/random.h"
-#include "shape/revolved_segment.h"
-#include "shape/surface_of_revolution.h"
 #include "support/in_cube.h"
+#include "surface/revolved_segment.h"
+#include "surface/surface_of_revolution.h"
 
 namespace caustic {
 namespace {

@@ -8,15 +8,15 @@
 
 #include "core/error.h"
 #include "core/random.h"
+#include "failures/patch_cases.h"
 #include "math/spawn.h"
-#include "patch_cases.h"
+#include "measures/triangle_tree.h"
 #include "patch_file.h"
 #include "revolution_cases.h"
-#include "shape/surface_of_revolution.h"
-#include "shape/tessellation.h"
 #include "support/in_cube.h"
 #include "support/paths.h"
-#include "triangle_tree.h"
+#include "surface/surface_of_revolution.h"
+#include "surface/tessellation.h"
 
 namespace caustic {
 namespace {

@@ -7,13 +7,13 @@
 
 #include "core/error.h"
 #include "patch_file.h"
-#include "shape/newton_revolution.h"
-#include "shape/patch_surface.h"
-#include "shape/surface_of_revolution.h"
-#include "shape/tessellation.h"
 #include "support/measured_process.h"
 #include "support/paths.h"
 #include "support/temporary_folder.h"
+#include "surface/newton_revolution.h"
+#include "surface/patch_surface.h"
+#include "surface/surface_of_revolution.h"
+#include "surface/tessellation.h"
 
 namespace caustic {
 namespace {

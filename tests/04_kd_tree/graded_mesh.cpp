@@ -6,11 +6,11 @@
 #include <cmath>
 #include <vector>
 
-#include "shape/obj_file.h"
-#include "shape/polygon.h"
-#include "shape/triangle_clip.h"
-#include "shape/triangle_mesh.h"
-#include "shape/vertex_normals.h"
+#include "mesh/obj_file.h"
+#include "mesh/polygon.h"
+#include "mesh/triangle_clip.h"
+#include "mesh/triangle_mesh.h"
+#include "mesh/vertex_normals.h"
 #include "support/in_cube.h"
 
 namespace caustic {

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "core/parallel.h"
+#include "mesh/mesh_file.h"
+#include "mesh/mesh_tree.h"
 #include "mesh_sets.h"
-#include "shape/mesh_file.h"
-#include "shape/mesh_tree.h"
 #include "support/paths.h"
 
 namespace caustic {

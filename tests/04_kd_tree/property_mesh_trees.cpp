@@ -5,15 +5,15 @@
 #include <string>
 #include <vector>
 
+#include "mesh/mesh_file.h"
+#include "mesh/mesh_tree.h"
+#include "mesh/triangle_mesh.h"
 #include "mesh_sets.h"
 #include "shape/group.h"
 #include "shape/instance.h"
-#include "shape/mesh_file.h"
-#include "shape/mesh_tree.h"
 #include "shape/plane.h"
 #include "shape/shape_tree.h"
 #include "shape/sphere.h"
-#include "shape/triangle_mesh.h"
 #include "support/in_cube.h"
 #include "support/paths.h"
 

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "math/spawn.h"
+#include "mesh/triangle_mesh.h"
+#include "mesh/vertex_normals.h"
 #include "mesh_sets.h"
 #include "shape/triangle.h"
-#include "shape/triangle_mesh.h"
-#include "shape/vertex_normals.h"
 #include "support/chi_square.h"
 #include "support/in_cube.h"
 

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "core/error.h"
-#include "shape/mesh_file.h"
-#include "shape/obj_file.h"
-#include "shape/triangle_mesh.h"
+#include "mesh/mesh_file.h"
+#include "mesh/obj_file.h"
+#include "mesh/triangle_mesh.h"
 #include "support/measured_process.h"
 #include "support/paths.h"
 #include "support/temporary_folder.h"

@@ -9,10 +9,10 @@
 #include "integrator/vertex_connection.h"
 #include "material/diffuse_material.h"
 #include "medium/absorbing_medium.h"
+#include "mesh/triangle_mesh.h"
 #include "sampling/independent_sampler.h"
 #include "shape/box.h"
 #include "shape/plane.h"
-#include "shape/triangle_mesh.h"
 
 namespace caustic {
 namespace {

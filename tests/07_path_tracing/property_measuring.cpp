@@ -4,14 +4,14 @@
 #include <cmath>
 
 #include "camera/box_filter.h"
-#include "caustic_reference.h"
 #include "core/error.h"
-#include "core/take_option.h"
+#include "figure/take_option.h"
 #include "image/picture_error.h"
 #include "integrator/timed_render.h"
-#include "measured_scenes.h"
+#include "measures/caustic_reference.h"
+#include "measures/measured_scenes.h"
+#include "measures/radiosity.h"
 #include "methods.h"
-#include "radiosity.h"
 #include "sampling/independent_sampler.h"
 #include "support/form_factor.h"
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "failure_cases.h"
+#include "failures/failure_cases.h"
 
 namespace caustic {
 namespace {

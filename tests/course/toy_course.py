@@ -10,7 +10,7 @@ import strip
 
 HERE = Path(__file__).resolve().parent
 REAL = HERE.parent.parent
-SHARED = ("course", "tools", "cmake", "CMakePresets.json", "packages.txt", ".gitignore", "common/core",
+SHARED = ("course", "tools", "cmake", "CMakePresets.json", "packages.txt", ".gitignore", "common/core", "common/figure",
           *(f"tests/support/{name}" for name in ("test_main.cpp", "verdict.h", "verdict.cpp", "compare_pictures.cpp")))
 
 

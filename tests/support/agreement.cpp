@@ -17,12 +17,12 @@
 #include "material/diffuse_material.h"
 #include "material/phong_material.h"
 #include "material/rough_conductor_material.h"
+#include "mesh/triangle_mesh.h"
 #include "modeler/diffuse_box.h"
 #include "modeler/objects.h"
 #include "sampling/independent_sampler.h"
 #include "shape/rectangle.h"
 #include "shape/sphere.h"
-#include "shape/triangle_mesh.h"
 #include "texture/constant_texture.h"
 
 namespace caustic::test {

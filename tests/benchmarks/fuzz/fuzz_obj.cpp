@@ -5,8 +5,8 @@
 #include <string_view>
 
 #include "core/error.h"
-#include "shape/mesh_data.h"
-#include "shape/obj_file.h"
+#include "mesh/mesh_data.h"
+#include "mesh/obj_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace caustic;

@@ -19,7 +19,7 @@ HERE = Path(__file__).resolve().parent
 FOLDER = BUILD / "fuzz"
 Target = namedtuple("Target", "name sources libraries")
 TARGETS = (
-    Target("obj", ["shape/obj_file.cpp", "shape/polygon.cpp", "shape/mesh_data.cpp"], []),
+    Target("obj", ["mesh/obj_file.cpp", "mesh/polygon.cpp", "mesh/mesh_data.cpp"], []),
     Target("svg", ["curve/svg_document.cpp", "curve/svg_path_data.cpp", "curve/svg_transform.cpp", "curve/svg_arc.cpp",
                    "curve/bezier_spline.cpp", "curve/bezier_curve.cpp", "curve/bernstein.cpp", "curve/curve_bounds.cpp",
                    "curve/arc_length.cpp", "curve/gauss_legendre.cpp", "curve/profile_limits.cpp"], ["-lpugixml"]),

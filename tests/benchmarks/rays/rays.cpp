@@ -14,13 +14,13 @@
 #include <string>
 #include <vector>
 
-#include "core/csv_table.h"
 #include "core/random.h"
 #include "core/text.h"
-#include "core/timing.h"
+#include "figure/csv_table.h"
+#include "figure/timing.h"
 #include "math/frame.h"
-#include "shape/mesh_file.h"
-#include "shape/mesh_tree.h"
+#include "mesh/mesh_file.h"
+#include "mesh/mesh_tree.h"
 
 namespace caustic {
 namespace {

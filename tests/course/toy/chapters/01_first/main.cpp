@@ -2,7 +2,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "chapter_inputs.h"
-#include "core/chapter.h"
+#include "figure/chapter.h"
 #include "math/sums.h"
 
 namespace {

@@ -1,4 +1,4 @@
 #include "chapter_inputs.h"
-#include "core/chapter.h"
+#include "figure/chapter.h"
 
 int main(int argc, char** argv) { return caustic::runChapter(thisChapter, argc, argv, {}); }

@@ -1,0 +1,30 @@
+#include "core/progress.h"
+#include "failures/root_examination.h"
+#include "figure/csv_table.h"
+#include "figures.h"
+
+namespace caustic {
+
+void chartFailures(FigureContext& context) {
+    const auto revolutionSets = revolutionSetNames();
+    const auto patchSets = patchSetNames();
+    context.progress().expect(static_cast<std::int64_t>(revolutionSets.size() + patchSets.size()));
+    const std::int64_t rays = context.byQuality<std::int64_t>(1'600, 16'000);
+    CsvTable table({"method", "case", "failures", "trials"});
+    const auto add = [&](const std::string& name, const RootExamination& count) {
+        for (const NearestCount& method : count.nearest) {
+            if (method.trials > 0) table.addRow(method.method, name, method.failures, method.trials);
+        }
+        context.progress().advance();
+    };
+    for (std::size_t set = 0; set < revolutionSets.size(); ++set) {
+        add("revolution: " + revolutionSets[set], examineRevolution(set, rays, context.seed(), context.threads()));
+    }
+    for (std::size_t set = 0; set < patchSets.size(); ++set) {
+        add("patch: " + patchSets[set], examinePatches(set, rays / 4, context.seed(), context.threads()));
+    }
+    table.save(context.output("failure.csv"));
+    context.chart("failures/failure.gp", "failure.png");
+}
+
+}  // namespace caustic

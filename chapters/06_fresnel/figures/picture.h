@@ -1,0 +1,13 @@
+#pragma once
+
+#include "figure/figure.h"
+#include "image/image.h"
+#include "integrator/integrator.h"
+
+namespace caustic {
+
+/// Renders perAxis² paths a pixel, and tone-maps.
+/// @throws std::runtime_error when a sample was no finite number
+Image takePicture(const Integrator& integrator, int perAxis, FigureContext& context);
+
+}  // namespace caustic

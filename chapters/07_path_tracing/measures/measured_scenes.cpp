@@ -1,0 +1,108 @@
+#include "measures/measured_scenes.h"
+
+#include <algorithm>
+
+#include "core/check.h"
+#include "image/image_file.h"
+#include "measures/radiosity.h"
+#include "modeler/caustic_scene.h"
+#include "modeler/peers_box.h"
+
+namespace caustic {
+
+namespace {
+
+constexpr int patches = 20;   // along a wall's edge
+constexpr int perAxis = 16;   // rays a pixel, squared
+constexpr int segments = 64;  // as good as no end
+
+std::function<Image(int, int)> radiosityOf(const DiffuseBox& box) {
+    return [box](int width, int threads) {
+        const SceneDescription scene = box.scene(width, width);
+        return BoxRadiosity(box, patches, threads).picture(*scene.camera, perAxis, threads);
+    };
+}
+
+}  // namespace
+
+DiffuseBox smallLampBox() { return {.lampSide = 0.2, .radiance = 100, .mirror = true}; }
+
+const std::vector<MeasuredScene>& measuredScenes() {
+    static const std::vector<MeasuredScene> scenes = {
+        {"diffuse_box", "diffuse box", 128, segments, [](int width) { return DiffuseBox{}.scene(width, width); },
+         radiosityOf({}), "", "radiosity by closed form factors"},
+        {"mirror_box", "box with small lamp and mirror", 128, segments,
+         [](int width) { return smallLampBox().scene(width, width); }, radiosityOf(smallLampBox()), "",
+         "radiosity by closed form factors, the box once more behind the mirror"},
+        {"caustic",
+         "caustic of a glass ball",
+         128,
+         segments,
+         [](int width) { return CausticScene{}.onFloor(width); },
+         {},
+         "assets/references/caustic_floor.exr",
+         "a program for this scene alone"},
+        {"peers_box",
+         "peers' box",
+         256,
+         peersBoxSegments,
+         [](int width) { return peersBox(width, width); },
+         {},
+         "assets/references/peers_box.exr",
+         "bidirectional path tracing, long converged"}};
+    return scenes;
+}
+
+const MeasuredScene& measuredScene(const std::string& name) {
+    std::string names;
+    for (const MeasuredScene& scene : measuredScenes()) {
+        if (scene.name == name) return scene;
+        names += (names.empty() ? "" : ", ") + scene.name;
+    }
+    throw InputError({"--scene", 0}, name, "no such scene; there are " + names);
+}
+
+Image referenceOf(const MeasuredScene& scene, int width, const std::filesystem::path& file, int threads) {
+    return scene.compute ? scene.compute(width, threads) : shrunk(loadImage(file), width);
+}
+
+Image shrunk(const Image& picture, int width) {
+    checkArgument(width >= 1 && picture.width() % width == 0, "width", std::to_string(width),
+                  "must divide the picture's " + std::to_string(picture.width()));
+    const int block = picture.width() / width;
+    const int height = picture.height() / block;
+    Image small(width, height);
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            Color sum = Color::Zero();
+            for (int i = 0; i < block * block; ++i) sum += picture.at(x * block + i % block, y * block + i / block);
+            small.set(x, y, sum / (block * block));
+        }
+    }
+    return small;
+}
+
+std::vector<bool> pixelsNearLamps(const Scene& scene, int reach) {
+    constexpr int perPixel = 4;  // rays, squared
+    const Camera& camera = scene.camera();
+    std::vector<bool> near(static_cast<std::size_t>(camera.width() * camera.height()), false);
+    RayCounts counts;
+    const auto mark = [&](int x, int y) {
+        for (int j = std::max(0, y - reach); j <= std::min(camera.height() - 1, y + reach); ++j) {
+            for (int i = std::max(0, x - reach); i <= std::min(camera.width() - 1, x + reach); ++i)
+                near[static_cast<std::size_t>(j * camera.width() + i)] = true;
+        }
+    };
+    for (int y = 0; y < perPixel * camera.height(); ++y) {
+        for (int x = 0; x < perPixel * camera.width(); ++x) {
+            const Ray ray = camera.sampleRay({(x + 0.5) / perPixel, (y + 0.5) / perPixel}, {0.5, 0.5});
+            MediumStack media = scene.cameraMedia();
+            Color passed;
+            const auto at = scene.follow(ray, media, passed, counts);
+            if (at && at->light() != nullptr) mark(x / perPixel, y / perPixel);
+        }
+    }
+    return near;
+}
+
+}  // namespace caustic

@@ -1,0 +1,70 @@
+#include "measures/timed_command.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "camera/box_filter.h"
+#include "figure/csv_table.h"
+#include "image/image_file.h"
+#include "image/picture_error.h"
+#include "image/tone_mapping.h"
+#include "integrator/timed_render.h"
+#include "measures/measured_scenes.h"
+#include "measures/work.h"
+#include "methods.h"
+#include "sampling/independent_sampler.h"
+
+namespace caustic {
+
+namespace {
+
+bool powerOfTwo(std::int64_t n) { return (n & (n - 1)) == 0; }
+
+std::string fileName(const std::string& name) {
+    std::string file = name;
+    std::replace(file.begin(), file.end(), ' ', '_');
+    return file;
+}
+
+}  // namespace
+
+void renderTimed(const std::string& seconds, const std::string& name, const ChapterInputs& chapter,
+                 const ChapterOptions& options) {
+    const double limit = positiveNumber(seconds, "--time");
+    const MeasuredScene& measured = measuredScene(name);
+    const int width = measured.width;
+    const std::filesystem::path folder = options.out / chapter.name;
+    const Scene scene(measured.make(width));
+    const Image reference = referenceOf(measured, width, chapter.sourceDir / measured.asset, options.threads);
+    const std::vector<bool> leftOut = pixelsNearLamps(scene, 2);
+    const IndependentSampler sampler(options.seed);
+    const BoxFilter filter;
+    CsvTable table({"method", "samples", "time", "time_unit", "error", "error_unit"});
+    std::printf("%s, %d x %d pixels; error against %s; pixels within 2 of a lamp left out\n", measured.title.c_str(),
+                width, width, measured.judge.c_str());
+    for (const Method method : allMethods) {
+        const auto integrator = makeIntegrator(method, scene, sampler, filter, measured.mostSegments);
+        TimedMoment last;
+        const Rendering rendering =
+            renderFor(*integrator, limit, [&](const Rendering& soFar, const TimedMoment& moment) {
+                last = moment;
+                if (powerOfTwo(moment.samples))
+                    table.addRow(nameOf(method), moment.samples, moment.seconds, "s",
+                                 rmse(soFar.film.image(), reference, leftOut), "radiance (rms)");
+                return true;
+            });
+        const Image picture = rendering.film.image();
+        const Real error = rmse(picture, reference, leftOut);
+        if (!powerOfTwo(last.samples))
+            table.addRow(nameOf(method), last.samples, last.seconds, "s", error, "radiance (rms)");
+        const double perSecond = static_cast<double>(last.samples) * width * width / last.seconds;
+        std::printf("%-28s %6lld samples a pixel in %7.2f s, %9.0f samples/s, RMSE %.4f, %lld bad\n",
+                    nameOf(method).c_str(), static_cast<long long>(last.samples), last.seconds, perSecond, error,
+                    static_cast<long long>(rendering.film.badSamples()));
+        std::fflush(stdout);
+        saveImage(folder / ("timed_" + name + "_" + fileName(nameOf(method)) + ".png"), toneMapped(picture, 1, 4));
+    }
+    table.save(folder / ("timed_" + name + ".csv"));
+}
+
+}  // namespace caustic

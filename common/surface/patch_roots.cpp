@@ -1,0 +1,312 @@
+#include "surface/patch_roots.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "core/not_implemented.h"
+
+namespace caustic {
+
+namespace {
+
+constexpr Real unitRoundoff = std::numeric_limits<Real>::epsilon() / 2;
+
+Real crossOf(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+// The mean derivatives by u and v: differences of opposite sides' means.
+struct MeanDerivatives {
+    Vec2 u;
+    Vec2 v;
+};
+
+MeanDerivatives meanDerivatives(const PlaneNet& net) {
+    MeanDerivatives mean = {Vec2::Zero(), Vec2::Zero()};
+    for (int j = 0; j <= net.degreeV; ++j) mean.u += net.point[index(net.degreeU)][index(j)] - net.point[0][index(j)];
+    for (int i = 0; i <= net.degreeU; ++i) mean.v += net.point[index(i)][index(net.degreeV)] - net.point[index(i)][0];
+    return {mean.u / (net.degreeV + 1), mean.v / (net.degreeU + 1)};
+}
+
+// Whether the map can take no value twice: every derivative by u, made comparable by the mean ones, turns every
+// derivative by v the same way.
+bool isOneToOne(const PlaneNet& net) {
+    const MeanDerivatives mean = meanDerivatives(net);
+    const Real determinant = crossOf(mean.u, mean.v);
+    if (determinant == 0) return false;
+    Real alongU = std::numeric_limits<Real>::infinity();
+    Real alongV = alongU;
+    Real asideU = 0;
+    Real asideV = 0;
+    for (int i = 0; i <= net.degreeU; ++i) {
+        for (int j = 0; j <= net.degreeV; ++j) {
+            const Vec2& here = net.point[index(i)][index(j)];
+            if (i < net.degreeU) {
+                const Vec2 step = net.degreeU * (net.point[index(i + 1)][index(j)] - here);
+                alongU = std::min(alongU, crossOf(step, mean.v) / determinant);
+                asideU = std::max(asideU, std::abs(crossOf(mean.u, step) / determinant));
+            }
+            if (j < net.degreeV) {
+                const Vec2 step = net.degreeV * (net.point[index(i)][index(j + 1)] - here);
+                alongV = std::min(alongV, crossOf(mean.u, step) / determinant);
+                asideV = std::max(asideV, std::abs(crossOf(step, mean.v) / determinant));
+            }
+        }
+    }
+    return alongU > 0 && alongV > 0 && alongU * alongV > asideU * asideV;
+}
+
+void halveU(const PlaneNet& net, PlaneNet& first, PlaneNet& second) {
+    first.degreeU = second.degreeU = net.degreeU;
+    first.degreeV = second.degreeV = net.degreeV;
+    for (int j = 0; j <= net.degreeV; ++j) {
+        for (int i = 0; i <= net.degreeU; ++i) second.point[index(i)][index(j)] = net.point[index(i)][index(j)];
+        for (int i = 0; i <= net.degreeU; ++i) {
+            first.point[index(i)][index(j)] = second.point[0][index(j)];
+            for (int k = 0; k < net.degreeU - i; ++k) {
+                Vec2& p = second.point[index(k)][index(j)];
+                p = (p + second.point[index(k + 1)][index(j)]) / 2;
+            }
+        }
+    }
+}
+
+void halveV(const PlaneNet& net, PlaneNet& first, PlaneNet& second) {
+    first.degreeU = second.degreeU = net.degreeU;
+    first.degreeV = second.degreeV = net.degreeV;
+    for (int i = 0; i <= net.degreeU; ++i) {
+        auto& rest = second.point[index(i)];
+        rest = net.point[index(i)];
+        for (int j = 0; j <= net.degreeV; ++j) {
+            first.point[index(i)][index(j)] = rest[0];
+            for (int k = 0; k < net.degreeV - j; ++k) rest[index(k)] = (rest[index(k)] + rest[index(k + 1)]) / 2;
+        }
+    }
+}
+
+}  // namespace
+
+PatchDomain clippedDomain(const PlaneNet& net, Real tolerance) {
+    //! [ex-03.8]
+    const MeanDerivatives mean = meanDerivatives(net);
+    const Real determinant = crossOf(mean.u, mean.v);
+    // Less than that is a map seen edge-on, or folded over: its inverse would only magnify rounding.
+    if (std::abs(determinant) <= 1e-6 * mean.u.norm() * mean.v.norm()) return {};
+    constexpr Real infinity = std::numeric_limits<Real>::infinity();
+    PatchDomain left = {{infinity, -infinity}, {infinity, -infinity}};
+    for (int i = 0; i <= net.degreeU; ++i) {
+        for (int j = 0; j <= net.degreeV; ++j) {
+            const Vec2& p = net.point[index(i)][index(j)];
+            const Real u = Real(i) / net.degreeU - crossOf(p, mean.v) / determinant;
+            const Real v = Real(j) / net.degreeV - crossOf(mean.u, p) / determinant;
+            left = {{std::min(left.u.lower, u), std::max(left.u.upper, u)},
+                    {std::min(left.v.lower, v), std::max(left.v.upper, v)}};
+        }
+    }
+    const Real padU = tolerance * mean.v.lpNorm<1>() / std::abs(determinant);
+    const Real padV = tolerance * mean.u.lpNorm<1>() / std::abs(determinant);
+    const auto within = [](const Interval& interval, Real pad) {
+        const Interval padded = {interval.lower - pad, interval.upper + pad};
+        return Interval{std::max(padded.lower, Real(0)), std::min(padded.upper, Real(1))};
+    };
+    return {within(left.u, padU), within(left.v, padV)};
+    //! [ex-03.8]
+}
+
+namespace {
+
+class PatchSearch {
+public:
+    PatchSearch(const BezierPatch& patch, const ShearedRay& sheared) : patch_(patch), ray_(sheared) {
+        whole_.degreeU = patch.degreeU();
+        whole_.degreeV = patch.degreeV();
+        Real largest = 0;
+        for (int i = 0; i <= patch.degreeU(); ++i) {
+            for (int j = 0; j <= patch.degreeV(); ++j) {
+                const Vec3 from = patch.controlPoint(i, j) - sheared.ray.origin;
+                largest = std::max(largest, from.lpNorm<Eigen::Infinity>());
+                whole_.point[index(i)][index(j)] = flattened(from);
+            }
+        }
+        tolerance_ = 64 * unitRoundoff * (largest + sheared.ray.origin.lpNorm<Eigen::Infinity>());
+    }
+
+    std::vector<PatchRoot> run() {
+        search(whole_, {}, 0);
+        return std::move(roots_);
+    }
+
+private:
+    // A line that runs within the surface would be looked for without end.
+    static constexpr int mostPieces = 4000;
+    static constexpr int deepest = 120;
+
+    Vec2 flattened(const Vec3& from) const {
+        const Real z = from[ray_.axis[2]];
+        return {from[ray_.axis[0]] - ray_.shear.x() * z, from[ray_.axis[1]] - ray_.shear.y() * z};
+    }
+
+    void search(const PlaneNet& net, const PatchDomain& domain, int depth) {
+        Vec2 least = net.point[0][0];
+        Vec2 most = least;
+        for (int i = 0; i <= net.degreeU; ++i) {
+            for (int j = 0; j <= net.degreeV; ++j) {
+                least = least.cwiseMin(net.point[index(i)][index(j)]);
+                most = most.cwiseMax(net.point[index(i)][index(j)]);
+            }
+        }
+        if (!(least.maxCoeff() <= tolerance_ && most.minCoeff() >= -tolerance_)) return;
+        const PatchDomain left = clippedDomain(net, tolerance_);
+        if (left.u.empty() || left.v.empty()) return;
+        const Vec2 middle(middleOf(domain.u, left.u), middleOf(domain.v, left.v));
+        if (isOneToOne(net) && addByNewton(middle, domain)) return;
+        if (isTiny(domain.u) && isTiny(domain.v)) return addAtFold(domain);
+        if ((most - least).maxCoeff() <= tolerance_ || depth >= deepest || ++pieces_ >= mostPieces) {
+            return addIfClose(middle);
+        }
+        halve(net, domain, left, depth);
+    }
+
+    // Here the map is folded over, and over so short a piece by a parabola.
+    static bool isTiny(const Interval& side) { return side.upper - side.lower <= 0x1p-20; }
+
+    // Newton's method from either side of a fold finds the zero on that side, if there is one.
+    void addAtFold(const PatchDomain& domain) {
+        for (const Real u : {domain.u.lower, domain.u.upper}) {
+            for (const Real v : {domain.v.lower, domain.v.upper}) addByNewton({u, v}, domain);
+        }
+    }
+
+    static Real middleOf(const Interval& domain, const Interval& part) {
+        return domain.lower + (part.lower + part.upper) / 2 * (domain.upper - domain.lower);
+    }
+
+    void halve(const PlaneNet& net, const PatchDomain& domain, const PatchDomain& left, int depth) {
+        PlaneNet first;
+        PlaneNet second;
+        PatchDomain firstDomain = domain;
+        PatchDomain secondDomain = domain;
+        const bool alongU = extentU(net) >= extentV(net);
+        const Interval& wanted = alongU ? left.u : left.v;
+        if (alongU) {
+            halveU(net, first, second);
+            firstDomain.u.upper = secondDomain.u.lower = (domain.u.lower + domain.u.upper) / 2;
+        } else {
+            halveV(net, first, second);
+            firstDomain.v.upper = secondDomain.v.lower = (domain.v.lower + domain.v.upper) / 2;
+        }
+        if (wanted.lower <= Real(0.5)) search(first, firstDomain, depth + 1);
+        if (wanted.upper >= Real(0.5)) search(second, secondDomain, depth + 1);
+    }
+
+    static Real extentU(const PlaneNet& net) {
+        Real longest = 0;
+        for (int j = 0; j <= net.degreeV; ++j) {
+            Real length = 0;
+            for (int i = 0; i < net.degreeU; ++i) {
+                length += (net.point[index(i + 1)][index(j)] - net.point[index(i)][index(j)]).lpNorm<Eigen::Infinity>();
+            }
+            longest = std::max(longest, length);
+        }
+        return longest;
+    }
+
+    static Real extentV(const PlaneNet& net) {
+        Real longest = 0;
+        for (int i = 0; i <= net.degreeU; ++i) {
+            Real length = 0;
+            for (int j = 0; j < net.degreeV; ++j) {
+                length += (net.point[index(i)][index(j + 1)] - net.point[index(i)][index(j)]).lpNorm<Eigen::Infinity>();
+            }
+            longest = std::max(longest, length);
+        }
+        return longest;
+    }
+
+    struct PlaneJet {
+        Vec2 value;
+        Vec2 du;
+        Vec2 dv;
+    };
+
+    PlaneJet planeJet(const Vec2& uv) const {
+        std::array<Vec2, PlaneNet::highestDegree + 1> point;
+        std::array<Vec2, PlaneNet::highestDegree + 1> slope;
+        for (int i = 0; i <= whole_.degreeU; ++i) {
+            auto row = whole_.point[index(i)];
+            for (int left = whole_.degreeV; left > 1; --left) {
+                for (int j = 0; j < left; ++j) {
+                    row[index(j)] = (1 - uv.y()) * row[index(j)] + uv.y() * row[index(j + 1)];
+                }
+            }
+            point[index(i)] = (1 - uv.y()) * row[0] + uv.y() * row[1];
+            slope[index(i)] = whole_.degreeV * (row[1] - row[0]);
+        }
+        for (int left = whole_.degreeU; left > 1; --left) {
+            for (int i = 0; i < left; ++i) {
+                point[index(i)] = (1 - uv.x()) * point[index(i)] + uv.x() * point[index(i + 1)];
+                slope[index(i)] = (1 - uv.x()) * slope[index(i)] + uv.x() * slope[index(i + 1)];
+            }
+        }
+        return {(1 - uv.x()) * point[0] + uv.x() * point[1], whole_.degreeU * (point[1] - point[0]),
+                (1 - uv.x()) * slope[0] + uv.x() * slope[1]};
+    }
+
+    // Newton's method on the whole patch. False when it leaves the part, where at most one zero is: then the part is
+    // free of zeros, or Newton went astray, and halving it will tell.
+    bool addByNewton(Vec2 uv, const PatchDomain& domain) {
+        constexpr Real slack = 1e-9;
+        constexpr Real mostStray = 4;  // widths of the part
+        constexpr int mostSteps = 12;
+        for (int step = 0; step < mostSteps; ++step) {
+            const PlaneJet jet = planeJet(uv);
+            const Real determinant = crossOf(jet.du, jet.dv);
+            const Vec2 move = -Vec2(crossOf(jet.value, jet.dv), crossOf(jet.du, jet.value)) / determinant;
+            uv += move;
+            if (!contains(domain, uv, mostStray)) return false;
+            if (move.lpNorm<Eigen::Infinity>() <= 4 * unitRoundoff) break;
+        }
+        const Vec2 inside = uv.cwiseMax(0).cwiseMin(1);
+        if (!contains(domain, inside, slack) || !isClose(inside)) return false;
+        add(inside);
+        return true;
+    }
+
+    static bool contains(const PatchDomain& domain, const Vec2& uv, Real slack) {
+        const Real padU = slack * (domain.u.upper - domain.u.lower);
+        const Real padV = slack * (domain.v.upper - domain.v.lower);
+        return uv.x() >= domain.u.lower - padU && uv.x() <= domain.u.upper + padU && uv.y() >= domain.v.lower - padV &&
+               uv.y() <= domain.v.upper + padV;
+    }
+
+    bool isClose(const Vec2& uv) const { return planeJet(uv).value.lpNorm<Eigen::Infinity>() <= tolerance_; }
+
+    void addIfClose(const Vec2& uv) {
+        if (isClose(uv)) add(uv);
+    }
+
+    // Parts that share a side may both find a root there.
+    void add(const Vec2& uv) {
+        const auto same = [&](const PatchRoot& root) { return (Vec2(root.u, root.v) - uv).norm() <= 1e-8; };
+        if (std::any_of(roots_.begin(), roots_.end(), same)) return;
+        const Vec3 from = patch_.evaluate(uv.x(), uv.y()).point - ray_.ray.origin;
+        roots_.push_back({uv.x(), uv.y(), from.dot(ray_.ray.direction) / ray_.ray.direction.squaredNorm()});
+    }
+
+    const BezierPatch& patch_;
+    const ShearedRay& ray_;
+    PlaneNet whole_;
+    Real tolerance_;
+    int pieces_ = 0;
+    std::vector<PatchRoot> roots_;
+};
+
+}  // namespace
+
+std::vector<PatchRoot> patchRoots(const BezierPatch& patch, const ShearedRay& sheared) {
+    return PatchSearch(patch, sheared).run();
+}
+
+}  // namespace caustic
