@@ -14,12 +14,7 @@ include(GoogleTest)
 
 find_program(CAUSTIC_CCACHE ccache)
 if(CAUSTIC_CCACHE AND NOT CAUSTIC_COVERAGE)
-  # Paths relative to the tree let a student's tree, the gates and the mutants share what is compiled once. pcg-cpp's
-  # header spells the time of day, for a seed that we never ask for: without time_macros ccache would know no file with
-  # random numbers again.
-  set(CMAKE_CXX_COMPILER_LAUNCHER
-      "${CMAKE_COMMAND}" -E env "CCACHE_BASEDIR=${CMAKE_SOURCE_DIR}" CCACHE_NOHASHDIR=1 CCACHE_SLOPPINESS=time_macros
-      "${CAUSTIC_CCACHE}")
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${CMAKE_SOURCE_DIR}/tools/compiler.sh" "${CMAKE_SOURCE_DIR}" "${CAUSTIC_CCACHE}")
 endif()
 if(CAUSTIC_STUDENT)
   # Warnings of what a student wrote are no errors; see there.
@@ -36,6 +31,10 @@ target_compile_options(caustic_options INTERFACE
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # GCC 12 sees overlaps in "literal" + std::string that are not there (GCC bug 105329).
   target_compile_options(caustic_options INTERFACE -Wno-restrict)
+  # libstdc++ itself switches these off around its strings; a precompiled header forgets such pragmas.
+  if(CAUSTIC_PRECOMPILE)
+    target_compile_options(caustic_options INTERFACE -Wno-stringop-overflow -Wno-stringop-overread -Wno-array-bounds)
+  endif()
 endif()
 if(CAUSTIC_STUDENT AND NOT (CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION MATCHES "^12\\."))
   # A student with another compiler than ours need not wait until we know its warnings.
@@ -64,6 +63,28 @@ if(CAUSTIC_COVERAGE)
   target_compile_options(caustic_options INTERFACE --coverage)
   target_link_options(caustic_options INTERFACE --coverage)
 endif()
+
+# caustic_precompile(<target> HEADERS <header>... LIBRARIES <library>...)
+#
+# Compiles headers that are not ours once for all targets that ask for them with caustic_use_precompiled. Nothing of ours
+# goes in: what the compiler opened for each file would not tell any more who includes whom.
+function(caustic_precompile target)
+  if(NOT CAUSTIC_PRECOMPILE)
+    return()
+  endif()
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "HEADERS;LIBRARIES")
+  file(CONFIGURE OUTPUT "${CMAKE_BINARY_DIR}/precompiled.cpp" CONTENT "// Generated: a library needs a source.\n")
+  add_library(${target} OBJECT "${CMAKE_BINARY_DIR}/precompiled.cpp")
+  target_link_libraries(${target} PRIVATE caustic_options ${arg_LIBRARIES})
+  target_precompile_headers(${target} PRIVATE ${arg_HEADERS})
+endfunction()
+
+# Lets a target of ours use what caustic_precompile made, if that was called.
+function(caustic_use_precompiled target precompiled)
+  if(TARGET ${precompiled})
+    target_precompile_headers(${target} REUSE_FROM ${precompiled})
+  endif()
+endfunction()
 
 # Chapters after this one, and what they add to the topics, are not declared: the tree as it was when this chapter ended.
 set(CAUSTIC_LAST_CHAPTER 99 CACHE STRING "Build the course up to this chapter only")
@@ -161,6 +182,11 @@ function(caustic_topic topic)
       add_library(${target} STATIC ${sources})
       set(scope PUBLIC)
       set_property(GLOBAL APPEND PROPERTY CAUSTIC_COMPILED ${target})
+      if(topic STREQUAL "support")
+        caustic_use_precompiled(${target} caustic_precompiled_tests)
+      else()
+        caustic_use_precompiled(${target} caustic_precompiled)
+      endif()
     else()
       add_library(${target} INTERFACE)
       set(scope INTERFACE)
@@ -255,6 +281,7 @@ function(caustic_chapter name)
   list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")
   if(sources)
     add_library(${name}_parts STATIC ${sources})
+    caustic_use_precompiled(${name}_parts caustic_precompiled)
     set(scope PUBLIC)
   else()
     add_library(${name}_parts INTERFACE)
@@ -265,6 +292,7 @@ function(caustic_chapter name)
 
   add_executable(${name} "${name}/main.cpp")
   target_link_libraries(${name} PRIVATE ${name}_parts)
+  caustic_use_precompiled(${name} caustic_precompiled)
   _caustic_inputs_header(${chapter} ${name} ${name})
 
   set_property(GLOBAL APPEND PROPERTY CAUSTIC_COMPILED ${name})
@@ -284,6 +312,7 @@ function(caustic_program name program)
   list(TRANSFORM arg_SOURCES PREPEND "${name}/")
   add_executable(${program} ${arg_SOURCES})
   target_link_libraries(${program} PRIVATE ${name}_parts ${arg_LIBRARIES})
+  caustic_use_precompiled(${program} caustic_precompiled)
   set_property(GLOBAL APPEND PROPERTY CAUSTIC_COMPILED ${program})
 endfunction()
 
@@ -315,6 +344,7 @@ function(caustic_tests name)
     endif()
     set(target ${kind}_${nn})
     add_executable(${target} ${sources})
+    caustic_use_precompiled(${target} caustic_precompiled_tests)
     set_property(GLOBAL APPEND PROPERTY CAUSTIC_COMPILED ${target})
     _caustic_topic_targets(support support ${chapter})
     target_link_libraries(${target} PRIVATE ${support} ${library})
