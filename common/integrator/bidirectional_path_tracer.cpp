@@ -11,14 +11,10 @@ namespace caustic {
 
 namespace {
 
-constexpr LobeFlags spread = LobeFlags::Diffuse | LobeFlags::Glossy;
-
 constexpr std::size_t mostUsual = 8;  // vertices of a walk, for which room is made at once
 
-bool spreads(const Interaction& at) { return at.bsdf() != nullptr && anyOf(at.bsdf()->lobes(), spread); }
-
 // Whether a walk can find the light by chance.
-bool canBeHit(const Light& light) { return !light.deltaPlace() && !light.deltaDirection(); }
+bool canBeHit(const Light& light) { return !light.deltaPlace(); }
 
 // Density of the walk that starts with this sample, at its first vertex, the light.
 DensityWalk startOf(const LightStart& start) {
@@ -67,9 +63,9 @@ public:
         : scene_(scene), numbers_(numbers), counts_(counts), found_(found), walk_(startOf(start)), splat_(splat) {}
 
     bool reached(const Interaction& at, const WalkState& path) {
-        if (at.bsdf() == nullptr) return false;
+        if (!at.scatters()) return false;
         walk_.reach(at);
-        if (!spreads(at)) return true;
+        if (!at.connectible()) return true;
         if (splat_) splat(at, path);
         found_.light.push_back({at, path.beta, walk_.density(), path.length + 1});
         return true;
@@ -84,10 +80,10 @@ private:
         const auto seen = connectToCamera(scene_, at, path.beta, path.length - 1, numbers_, counts_);
         if (!seen) return;
         const ImportanceSample& camera = seen->camera;
-        const Real cosine = geometricCosine(at.hit(), camera.wi);
+        const Real cosine = at.geometricCosine(camera.wi);
         const Real byEye =
             scene_.camera().pdf({camera.lens, -camera.wi}).pdfW * cosine / (camera.distance * camera.distance);
-        const Real others = walk_.density().others(byEye, at.bsdf()->pdfW(camera.wi, at.wo()));
+        const Real others = walk_.density().others(byEye, at.reversePdfW(camera.wi));
         found_.contributions.push_back({path.length + 1, 1, seen->value, strategyWeight(others, 0), camera.film});
     }
 
@@ -99,7 +95,7 @@ private:
     bool splat_;
 };
 
-// Meets lights, asks for them, and connects to the light's vertices.
+// Meets lights, samples them, and connects to the vertices of the walk from the light.
 class BidirectionalPathTracer::EyeVisitor {
 public:
     EyeVisitor(const BidirectionalPathTracer& tracer, const DensityWalk& start, const PathNumbers& numbers,
@@ -109,9 +105,9 @@ public:
     bool reached(const Interaction& at, const WalkState& path) {
         walk_.reach(at);
         if (at.light() != nullptr) hit(at, path);
-        if (at.bsdf() == nullptr || path.length >= tracer_.limits_.maxLength) return false;
-        if (!spreads(at)) return true;
-        ask(at, path);
+        if (!at.scatters() || path.length >= tracer_.limits_.maxLength) return false;
+        if (!at.connectible()) return true;
+        sampleLight(at, path);
         for (const LightVertex& light : found_.light) {
             if (light.s + path.length <= tracer_.limits_.maxLength) connect(at, path, light);
         }
@@ -140,8 +136,8 @@ private:
     }
 
     // (1, t)
-    void ask(const Interaction& at, const WalkState& path) {
-        const auto direct = askForLight(tracer_.scene(), tracer_.lights_, at, path.length - 1, numbers_, counts_);
+    void sampleLight(const Interaction& at, const WalkState& path) {
+        const auto direct = sampleDirectLight(tracer_.scene(), tracer_.lights_, at, path.length - 1, numbers_, counts_);
         if (!direct) return;
         const Light& light = *direct->light.light;
         const DirectSample& sample = direct->sample;
@@ -150,11 +146,11 @@ private:
         PathDensity first;
         first.forward = direct->pdfW;
         first.open = canBeHit(light) ? 1 : 0;
-        const Real fromLight = first.others(at.bsdf()->pdfW(at.wo(), sample.wi), 0);
-        const EmissionPdf pdf = light.pdfEmission(light.directPoint(direct->u), -sample.wi);
+        const Real fromLight = first.others(at.pdfW(sample.wi), 0);
+        const EmissionPdf pdf = light.pdfEmission(sample.on, -sample.wi);
         const Real arrives = light.infinite() ? pdf.pdfA : pdf.pdfW / sample.ray.direction.squaredNorm();
         const Real fromEye =
-            walk_.density().others(arrives * geometricCosine(at.hit(), sample.wi), at.bsdf()->pdfW(sample.wi, at.wo()));
+            walk_.density().others(arrives * at.geometricCosine(sample.wi), at.reversePdfW(sample.wi));
         add(1, path.length + 1, path.beta * direct->value, fromLight + fromEye);
     }
 
@@ -164,10 +160,10 @@ private:
         const auto joined = connectVertices(tracer_.scene(), {z, path.beta}, {y, light.beta}, counts_);
         if (!joined) return;
         const Vec3& wi = joined->wi;
-        const Real cosY = geometricCosine(y.hit(), wi) / joined->squaredDistance;
-        const Real cosZ = geometricCosine(z.hit(), wi) / joined->squaredDistance;
-        const Real fromLight = light.density.others(z.bsdf()->pdfW(z.wo(), wi) * cosY, y.bsdf()->pdfW(-wi, y.wo()));
-        const Real fromEye = walk_.density().others(y.bsdf()->pdfW(y.wo(), -wi) * cosZ, z.bsdf()->pdfW(wi, z.wo()));
+        const Real cosY = y.geometricCosine(wi) / joined->squaredDistance;
+        const Real cosZ = z.geometricCosine(wi) / joined->squaredDistance;
+        const Real fromLight = light.density.others(z.pdfW(wi) * cosY, y.reversePdfW(-wi));
+        const Real fromEye = walk_.density().others(y.pdfW(-wi) * cosZ, z.reversePdfW(wi));
         add(light.s, path.length + 1, joined->value, fromLight + fromEye);
     }
 

@@ -19,7 +19,7 @@ struct StrategyContribution {
 
 /// Bidirectional path tracing: one walk from the eye and one from a light, and every way to make paths of the two. The
 /// strategy (s, t) takes s vertices from the light's walk and t from the eye's: s = 0, the eye's walk hits a light by
-/// chance; s = 1, a light is asked for at the eye's vertex, a new point of it each time; t = 1, the light's vertex is
+/// chance; s = 1, a light is sampled at the eye's vertex, a new point of it each time; t = 1, the light's vertex is
 /// connected to the camera and splatted; else the two ends are connected. What several strategies can make is weighted
 /// by the power heuristic over all of them. Lights that are seen directly come by s = 0 alone.
 ///

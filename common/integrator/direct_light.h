@@ -8,22 +8,21 @@
 
 namespace caustic {
 
-/// Light that a surface gets straight from one of the lights.
+/// Light that comes to a vertex straight from one of the lights.
 struct DirectLight {
     ChosenLight light;
-    Vec2 u = Vec2::Zero();        ///< the numbers of its sampleDirect: Light::directPoint knows the place by them
-    DirectSample sample;          ///< its answer
+    DirectSample sample;          ///< of that light
     Real pdfW = 0;                ///< density of choosing this light and then this direction, 1/sr
-    Color value = Color::Zero();  ///< what the surface scatters of it along its wo: an estimate, over pdfW, of what it
+    Color value = Color::Zero();  ///< what the vertex scatters of it along its wo: an estimate, over pdfW, of what it
                                   ///< scatters of all lights, W/(m²·sr)
 };
 
-/// Asks one of the lights for light.
-/// @param at      where its bsdf() scatters
+/// Samples the light that comes to a vertex straight from the lights: one of them, and a direction to it.
+/// @param at      connectible()
 /// @param vertex  which vertex of the path it is, from 0: whose numbers are taken
 /// @param counts  what was asked of the scene is added
 /// @return nothing when none comes from there
-std::optional<DirectLight> askForLight(const Scene& scene, const LightChoice& lights, const Interaction& at, int vertex,
-                                       const PathNumbers& numbers, RayCounts& counts);
+std::optional<DirectLight> sampleDirectLight(const Scene& scene, const LightChoice& lights, const Interaction& at,
+                                             int vertex, const PathNumbers& numbers, RayCounts& counts);
 
 }  // namespace caustic

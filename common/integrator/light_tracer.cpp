@@ -8,17 +8,14 @@ namespace caustic {
 
 namespace {
 
-constexpr LobeFlags spread = LobeFlags::Diffuse | LobeFlags::Glossy;
-
-// Splats every vertex that spreads light.
+// Splats every vertex that is no specular one.
 class SplatVisitor {
 public:
     SplatVisitor(const Scene& scene, const PathNumbers& numbers, RayCounts& counts, std::vector<Splat>& splats)
         : scene_(scene), numbers_(numbers), counts_(counts), splats_(splats) {}
 
     bool reached(const Interaction& at, const WalkState& path) {
-        if (at.bsdf() == nullptr) return false;
-        if (!anyOf(at.bsdf()->lobes(), spread)) return true;
+        if (!at.connectible()) return true;
         const auto seen = connectToCamera(scene_, at, path.beta, path.length - 1, numbers_, counts_);
         if (seen) splats_.push_back({seen->camera.film, seen->value});
         return true;

@@ -7,12 +7,6 @@
 
 namespace caustic {
 
-namespace {
-
-constexpr LobeFlags spread = LobeFlags::Diffuse | LobeFlags::Glossy;
-
-}  // namespace
-
 // Gathers what a walk from the eye finds.
 class PathTracer::Visitor {
 public:
@@ -22,45 +16,45 @@ public:
     bool reached(const Interaction& at, const WalkState& path) {
         if (const Light* const light = at.light()) {
             const Color Le = at.Le();
-            if ((Le > 0).any()) meet(path.beta * Le, *light, asksBefore_ ? light->pdfW(from_, at.hit()) : 0);
+            if ((Le > 0).any()) meet(path.beta * Le, *light, sampledBefore_ ? light->pdfW(from_, at.hit()) : 0);
         }
-        if (at.bsdf() == nullptr || path.length >= tracer_.settings_.limits.maxLength) return false;
-        if (tracer_.settings_.direct != Direct::ByChance && anyOf(at.bsdf()->lobes(), spread)) ask(at, path);
+        if (!at.scatters() || path.length >= tracer_.settings_.limits.maxLength) return false;
+        if (tracer_.settings_.direct != Direct::ByChance && at.connectible()) sampleLight(at, path);
         return true;
     }
 
     void scattered(const Interaction& at, const BsdfSample& sample) {
-        asksBefore_ = !sample.delta();
-        from_ = at.hit().point;
+        sampledBefore_ = !sample.delta();
+        from_ = at.point();
         pdfW_ = sample.pdfW;
     }
 
     void escaped(const WalkState& path) {
         for (const ChosenLight& one : tracer_.lights_.infinite())
             meet(path.beta * one.light->Le(path.ray), *one.light,
-                 asksBefore_ ? one.light->pdfW(from_, path.ray.direction) : 0);
+                 sampledBefore_ ? one.light->pdfW(from_, path.ray.direction) : 0);
     }
 
     const Color& sum() const { return sum_; }
 
 private:
-    // A light by chance. pdfW is that with which it picks this direction when it is asked.
+    // A light that the path hits. pdfW is that with which the light is sampled in this direction.
     void meet(const Color& value, const Light& light, Real pdfW) {
-        sum_ += value * tracer_.weight(Met::ByChance, tracer_.lights_.probability(light) * pdfW, pdfW_);
+        sum_ += value * tracer_.weight(Sampled::Direction, tracer_.lights_.probability(light) * pdfW, pdfW_);
     }
 
-    void ask(const Interaction& at, const WalkState& path) {
-        const auto direct = askForLight(tracer_.scene(), tracer_.lights_, at, path.length - 1, numbers_, counts_);
+    void sampleLight(const Interaction& at, const WalkState& path) {
+        const auto direct = sampleDirectLight(tracer_.scene(), tracer_.lights_, at, path.length - 1, numbers_, counts_);
         if (!direct) return;
         const bool point = direct->light.light->deltaPlace();
-        const Real byChance = point ? 0 : at.bsdf()->pdfW(at.wo(), direct->sample.wi);
-        sum_ += path.beta * direct->value * tracer_.weight(Met::Asked, direct->pdfW, byChance);
+        const Real pdfDirection = point ? 0 : at.pdfW(direct->sample.wi);
+        sum_ += path.beta * direct->value * tracer_.weight(Sampled::Light, direct->pdfW, pdfDirection);
     }
 
     const PathTracer& tracer_;
     const PathNumbers& numbers_;
     RayCounts& counts_;
-    bool asksBefore_ = false;  // whether a light was asked for at the vertex before
+    bool sampledBefore_ = false;  // whether a light was sampled at the vertex before
     Vec3 from_ = Vec3::Zero();
     Real pdfW_ = 1;  // with which the path left it
     Color sum_ = Color::Zero();
@@ -78,12 +72,13 @@ Color PathTracer::Li(const Ray& ray, const MediumStack& media, const PathNumbers
     return visitor.sum();
 }
 
-Real PathTracer::weight(Met how, Real pdfAsked, Real pdfChance) const {
+Real PathTracer::weight(Sampled how, Real pdfLight, Real pdfDirection) const {
     //! [ex-07.4]
-    const bool asked = how == Met::Asked;
-    if (settings_.direct == Direct::ByChance) return asked ? 0 : 1;
-    if (settings_.direct == Direct::DirectLight) return asked || pdfAsked == 0 ? 1 : 0;
-    return asked ? powerHeuristic(pdfAsked, pdfChance) : powerHeuristic(pdfChance, pdfAsked);
+    const bool light = how == Sampled::Light;
+    if (settings_.direct == Direct::ByChance) return light ? 0 : 1;
+    if (settings_.direct == Direct::DirectLight) return light || pdfLight == 0 ? 1 : 0;
+    // Veach 1997, eq. 9.13 with β = 2.
+    return light ? powerHeuristic(pdfLight, pdfDirection) : powerHeuristic(pdfDirection, pdfLight);
     //! [ex-07.4]
 }
 

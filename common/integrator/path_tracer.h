@@ -9,7 +9,7 @@ namespace caustic {
 /// How a path from the eye meets lights.
 enum class Direct {
     ByChance,     ///< only where it happens to hit one; lights at a point stay dark
-    DirectLight,  ///< at each surface that spreads light, one light is asked for; what is hit by chance counts only
+    DirectLight,  ///< at each vertex that is no specular one, a light is sampled; what is hit by chance counts only
                   ///< behind a delta lobe and for the eye itself
     Mis           ///< both, weighted by the power heuristic
 };
@@ -32,13 +32,16 @@ public:
 
     Color Li(const Ray& ray, const MediumStack& media, const PathNumbers& numbers, RayCounts& counts) const override;
 
-    /// The two ways in which a path meets a light.
-    enum class Met { Asked, ByChance };
+    /// What was sampled to get from a vertex to a light: a point of the light, or the direction in which the path goes
+    /// on (BSDF sampling), which hits the light by chance.
+    enum class Sampled { Light, Direction };
 
-    /// How much light counts that a path meets in one of the two ways.
-    /// @param pdfAsked   density of asking for it, 1/sr; 0 where nobody asks: at the eye, behind a delta lobe
-    /// @param pdfChance  density of going there by chance, 1/sr; 0 for a light with a delta place, which no path hits
-    Real weight(Met how, Real pdfAsked, Real pdfChance) const;
+    /// How much light counts that was found by one of the two.
+    /// @param pdfLight      density of light sampling, 1/sr; 0 where no light is sampled: at the eye, behind a delta
+    ///                      lobe
+    /// @param pdfDirection  density of the path's going there by chance, 1/sr; 0 for a light with a delta place, which
+    ///                      no path hits
+    Real weight(Sampled how, Real pdfLight, Real pdfDirection) const;
 
 private:
     class Visitor;

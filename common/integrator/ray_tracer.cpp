@@ -2,15 +2,8 @@
 
 #include "core/check.h"
 #include "core/not_implemented.h"
-#include "math/spawn.h"
 
 namespace caustic {
-
-namespace {
-
-constexpr LobeFlags spread = LobeFlags::Diffuse | LobeFlags::Glossy;
-
-}  // namespace
 
 RayTracer::RayTracer(const Scene& scene, const Sampler& sampler, const PixelFilter& filter,
                      const RayTracerSettings& settings)
@@ -41,7 +34,7 @@ Color RayTracer::trace(const Branch& branch, const PathNumbers& numbers, RayCoun
     for (const BsdfSample& lobe : at->bsdf()->deltaLobes(at->wo(), TransportMode::Radiance)) {
         // Energy, not radiance: what is scaled by 1/eta² on the way in is scaled back on the way out.
         const Real energy = (lobe.f * transmittance).maxCoeff() * lobe.eta * lobe.eta;
-        const Branch next = {spawnRay(at->hit(), lobe.wi), at->media(lobe.wi), branch.depth + 1,
+        const Branch next = {at->spawn(lobe.wi), at->media(lobe.wi), branch.depth + 1,
                              branch.weight * energy};
         if (next.weight > settings_.leastWeight) sum += lobe.f * trace(next, numbers.branch(label), counts);
         ++label;
@@ -53,19 +46,19 @@ Color RayTracer::trace(const Branch& branch, const PathNumbers& numbers, RayCoun
 Color RayTracer::direct(const Interaction& at, int vertex, const PathNumbers& numbers, RayCounts& counts) const {
     //! [ex-05.7]
     Color sum = Color::Zero();
-    if (!anyOf(at.bsdf()->lobes(), spread)) return sum;
+    if (!at.connectible()) return sum;
     std::uint64_t label = 0;
     for (const auto& light : scene().lights()) {
         const PathNumbers ofLight = numbers.branch(label++);
         const int samples = light->deltaPlace() ? 1 : settings_.shadowSamples;
         for (int i = 0; i < samples; ++i) {
             const Vec2 u = ofLight.part(i, samples).pair(Dimension::vertex(vertex, VertexUse::LightPoint));
-            const auto sample = light->sampleDirect(at.hit(), u);
+            const auto sample = light->sampleDirect(at.place(), u);
             if (!sample) continue;
-            const Color f = at.bsdf()->f(at.wo(), sample->wi, TransportMode::Radiance);
+            const Color f = at.f(sample->wi, TransportMode::Radiance);
             if ((f == 0).all()) continue;
             const Color passed = scene().transmittance(sample->ray, at.media(sample->wi), counts);
-            sum += f * at.bsdf()->cosine(sample->wi) * sample->radiance * passed / (sample->pdfW * samples);
+            sum += f * at.cosine(sample->wi) * sample->radiance * passed / (sample->pdfW * samples);
         }
     }
     return sum;
@@ -74,7 +67,7 @@ Color RayTracer::direct(const Interaction& at, int vertex, const PathNumbers& nu
 
 // Light from everywhere, of which nothing is in the way: one sample of the BSDF, which is exact for a diffuse one.
 Color RayTracer::ambient(const Interaction& at, int vertex, const PathNumbers& numbers) const {
-    if (!scene().needs().ambient || !anyOf(at.bsdf()->lobes(), spread)) return Color::Zero();
+    if (!scene().needs().ambient || !at.connectible()) return Color::Zero();
     const auto sample =
         at.bsdf()->sample(at.wo(), numbers.pair(Dimension::vertex(vertex, VertexUse::Direction)),
                           numbers.number(Dimension::vertex(vertex, VertexUse::Lobe)), TransportMode::Radiance);

@@ -7,14 +7,14 @@
 
 namespace caustic {
 
-/// How a path goes on at a surface.
+/// How a path goes on from a vertex.
 struct Scattering {
     BsdfSample sample;             ///< where to
     Color weight = Color::Zero();  ///< what the throughput is multiplied by: f |cos| / p
 };
 
-/// Samples how a path goes on at a surface.
-/// @param at      where its bsdf() scatters
+/// Samples how a path goes on from a vertex.
+/// @param at      one that scatters()
 /// @param vertex  which vertex of the path it is, from 0: whose numbers are taken
 /// @return nothing when the path ends here
 std::optional<Scattering> scatter(const Interaction& at, TransportMode mode, const PathNumbers& numbers, int vertex);

@@ -3,24 +3,23 @@
 #include <cmath>
 
 #include "core/not_implemented.h"
-#include "math/spawn.h"
 
 namespace caustic {
 
 std::optional<VertexConnection> connectVertices(const Scene& scene, const WalkEnd& eye, const WalkEnd& light,
                                                 RayCounts& counts) {
     //! [ex-07.6]
-    const Vec3 way = light.at.hit().point - eye.at.hit().point;
+    const Vec3 way = light.at.point() - eye.at.point();
     const Real squaredDistance = way.squaredNorm();
     if (!(squaredDistance > 0)) return std::nullopt;
     const Vec3 wi = way / std::sqrt(squaredDistance);
-    const Color atEye = eye.at.bsdf()->f(eye.at.wo(), wi, TransportMode::Radiance);
+    const Color atEye = eye.at.f(wi, TransportMode::Radiance);
     if ((atEye == 0).all()) return std::nullopt;
-    const Color atLight = light.at.bsdf()->f(light.at.wo(), -wi, TransportMode::Importance);
+    const Color atLight = light.at.f(-wi, TransportMode::Importance);
     if ((atLight == 0).all()) return std::nullopt;
-    const Color passed = scene.transmittance(spawnRayTo(eye.at.hit(), light.at.hit()), eye.at.media(wi), counts);
+    const Color passed = scene.transmittance(eye.at.spawnTo(light.at), eye.at.media(wi), counts);
     if ((passed == 0).all()) return std::nullopt;
-    const Real geometry = eye.at.bsdf()->cosine(wi) * light.at.bsdf()->cosine(-wi) / squaredDistance;
+    const Real geometry = eye.at.cosine(wi) * light.at.cosine(-wi) / squaredDistance;
     return VertexConnection{wi, squaredDistance, eye.beta * atEye * geometry * passed * atLight * light.beta};
     //! [ex-07.6]
 }

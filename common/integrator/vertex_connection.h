@@ -6,7 +6,7 @@
 
 namespace caustic {
 
-/// The last vertex of a walk, seen by who connects it.
+/// The last vertex of a walk, as a connection needs it; connectible().
 struct WalkEnd {
     const Interaction& at;
     const Color& beta;  ///< throughput when the walk gets there; of a walk from a light in W

@@ -44,11 +44,11 @@ std::optional<DirectSample> AreaLight::sampleDirect(const SurfacePoint& from, co
     const Vec3 wi = way / std::sqrt(squared);
     const Real cosine = -wi.dot(sample->at.ng);
     if (cosine <= 0) return std::nullopt;
-    return DirectSample{wi, radiance_->at(sample->at), sample->pdfA * squared / cosine, spawnRayTo(from, sample->at)};
+    // Veach 1997, eq. 8.2: from area to solid angle.
+    const Real pdfW = sample->pdfA * squared / cosine;
+    return DirectSample{wi, radiance_->at(sample->at), pdfW, spawnRayTo(from, sample->at), sample->at};
     //! [ex-05.5]
 }
-
-SurfacePoint AreaLight::directPoint(const Vec2& u) const { return shape_->sampleArea(u)->at; }
 
 Real AreaLight::pdfW(const Vec3& from, const SurfacePoint& on) const {
     const Vec3 way = on.point - from;

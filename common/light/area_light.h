@@ -18,7 +18,6 @@ public:
 
     /// Picks a point of the shape. Nothing when that point shows its back.
     std::optional<DirectSample> sampleDirect(const SurfacePoint& from, const Vec2& u) const override;
-    SurfacePoint directPoint(const Vec2& u) const override;
     Real pdfW(const Vec3& from, const SurfacePoint& on) const override;
     using Light::pdfW;
     std::optional<EmissionSample> sampleEmission(const Vec2& uPlace, const Vec2& uDirection) const override;

@@ -27,7 +27,7 @@ void ConstantEnvironment::prepare(const Bounds3& scene) {
 
 std::optional<DirectSample> ConstantEnvironment::sampleDirect(const SurfacePoint& from, const Vec2& u) const {
     const Vec3 wi = uniformSphere(u);
-    return DirectSample{wi, radiance_, pdfW(from.point, wi), spawnRay(from, wi)};
+    return DirectSample{wi, radiance_, pdfW(from.point, wi), spawnRay(from, wi), {}};
 }
 
 Real ConstantEnvironment::pdfW(const Vec3&, const Vec3&) const { return 1 / (4 * pi); }

@@ -2,8 +2,6 @@
 
 namespace caustic {
 
-SurfacePoint Light::directPoint(const Vec2&) const { return {}; }
-
 Real Light::pdfW(const Vec3&, const SurfacePoint&) const { return 0; }
 
 Real Light::pdfW(const Vec3&, const Vec3&) const { return 0; }

@@ -34,7 +34,7 @@ public:
     /// Index of refraction of what fills the place; 1 in empty space.
     Real ior() const;
 
-    /// What absorbs there; null for nothing.
+    /// What absorbs or scatters there; null for neither.
     const Medium* medium() const;
 
     /// Whether the path is in the object.

@@ -6,12 +6,13 @@ namespace caustic {
 
 /// What was asked of a scene, to see that nothing is done that a scene doesn't need.
 struct RayCounts {
-    std::int64_t rays = 0;            ///< questions for the nearest hit
-    std::int64_t shadowRays = 0;      ///< questions whether anything is in the way
-    std::int64_t crossings = 0;       ///< boundaries of objects with an interior
-    std::int64_t transmittances = 0;  ///< questions how much a medium lets pass
-    std::int64_t lensSamples = 0;     ///< points of a lens
-    std::int64_t textureLookups = 0;  ///< BSDFs made from colours that vary
+    std::int64_t rays = 0;             ///< searches for the nearest hit
+    std::int64_t shadowRays = 0;       ///< tests whether anything is in the way
+    std::int64_t crossings = 0;        ///< boundaries of objects with an interior
+    std::int64_t transmittances = 0;   ///< evaluations of how much a medium lets pass
+    std::int64_t distanceSamples = 0;  ///< distances sampled in media that scatter
+    std::int64_t lensSamples = 0;      ///< points of a lens
+    std::int64_t textureLookups = 0;   ///< BSDFs made from colours that vary
 
     /// Both together.
     RayCounts& operator+=(const RayCounts& other) {
@@ -19,6 +20,7 @@ struct RayCounts {
         shadowRays += other.shadowRays;
         crossings += other.crossings;
         transmittances += other.transmittances;
+        distanceSamples += other.distanceSamples;
         lensSamples += other.lensSamples;
         textureLookups += other.textureLookups;
         return *this;

@@ -19,12 +19,31 @@ namespace caustic {
 namespace {
 
 // Whether its surface lets light pass straight on.
-bool madeOfNothing(const SceneObject& one) { return !one.material && !one.emission; }
+bool indexMatched(const SceneObject& one) { return !one.material && !one.emission; }
 
 const Bounds3 everywhere(Vec3::Constant(-std::numeric_limits<Real>::infinity()),
                          Vec3::Constant(std::numeric_limits<Real>::infinity()));
 
 }  // namespace
+
+class Scene::MediumNumbers {
+public:
+    MediumNumbers(const PathNumbers& numbers, int vertex) : numbers_(&numbers), vertex_(vertex) {}
+
+    DistanceSample sample(const Medium& medium, const Ray& ray, Real tEnd) {
+        // The first medium takes the vertex's numbers. Those behind it need others: that light has passed the first one
+        // says that its number was large.
+        const std::uint64_t behind = media_++;
+        const PathNumbers own = behind == 0 ? *numbers_ : numbers_->branch(~behind);
+        return medium.sampleDistance(ray, tEnd, own.number(Dimension::vertex(vertex_, VertexUse::Distance)),
+                                     own.number(Dimension::vertex(vertex_, VertexUse::Channel)));
+    }
+
+private:
+    const PathNumbers* numbers_;
+    int vertex_;
+    std::uint64_t media_ = 0;  // so far
+};
 
 Scene::Scene(SceneDescription description) : description_(std::move(description)) {
     checkNotNegative(description_.ambient, "ambient light");
@@ -60,14 +79,36 @@ std::optional<Hit> Scene::intersect(const Ray& ray) const {
 
 std::optional<Interaction> Scene::follow(const Ray& ray, MediumStack& media, Color& transmittance,
                                          RayCounts& counts) const {
-    transmittance = Color::Ones();
+    return follow(ray, media, transmittance, nullptr, counts);
+}
+
+std::optional<Interaction> Scene::follow(const Ray& ray, MediumStack& media, Color& weight, const PathNumbers& numbers,
+                                         int vertex, RayCounts& counts) const {
+    if (!needs_.scattering) return follow(ray, media, weight, nullptr, counts);
+    MediumNumbers ofMedia(numbers, vertex);
+    return follow(ray, media, weight, &ofMedia, counts);
+}
+
+std::optional<Interaction> Scene::follow(const Ray& ray, MediumStack& media, Color& weight, MediumNumbers* numbers,
+                                         RayCounts& counts) const {
+    weight = Color::Ones();
     Ray rest = ray;
     for (;;) {
         ++counts.rays;
         const std::optional<Hit> hit = intersect(rest);
         if (const Medium* const medium = media.medium()) {
-            ++counts.transmittances;
-            transmittance *= medium->transmittance(rest, hit ? hit->t : rest.tMax);
+            const Real tEnd = hit ? hit->t : rest.tMax;
+            if (numbers != nullptr && medium->phase() != nullptr) {
+                ++counts.distanceSamples;
+                const DistanceSample sample = numbers->sample(*medium, rest, tEnd);
+                weight *= sample.weight;
+                if (sample.scattered)
+                    return std::optional<Interaction>(std::in_place, rest.at(sample.t), -ray.direction,
+                                                      *medium->phase(), media);
+            } else {
+                ++counts.transmittances;
+                weight *= medium->transmittance(rest, tEnd);
+            }
         }
         if (!hit) return std::nullopt;
         const SceneObject& one = object(hit->object);
@@ -88,8 +129,8 @@ std::optional<Interaction> Scene::follow(const Ray& ray, MediumStack& media, Col
 Color Scene::transmittance(const Ray& shadow, const MediumStack& media, RayCounts& counts) const {
     ++counts.shadowRays;
     if (!world_) return Color::Ones();
-    // In empty space the first boundary stops light, unless it is made of nothing.
-    if (!boundariesOfNothing_ && media.current() == nullptr)
+    // In empty space the first boundary stops light, unless it is index-matched.
+    if (!indexMatched_ && media.current() == nullptr)
         return world_->occluded(shadow) ? Color::Zero() : Color::Ones();
 
     Color passed = Color::Ones();
@@ -147,10 +188,10 @@ MediumStack Scene::mediaAt(const Vec3& point) const {
 
 const SceneObject& Scene::object(ObjectId id) const { return description_.objects[static_cast<std::size_t>(id)]; }
 
-// Whether light goes through the boundary as if it weren't there: hidden in an object of higher priority, or made of
-// nothing.
+// Whether light goes through the boundary as if it weren't there: hidden in an object of higher priority, or
+// index-matched.
 bool Scene::passesStraight(const SceneObject& one, const Crossing& crossing) const {
-    return madeOfNothing(one) || (!crossing.counts() && !one.emission);
+    return indexMatched(one) || (!crossing.counts() && !one.emission);
 }
 
 std::optional<Interaction> Scene::interaction(const Hit& hit, const Vec3& wo, const Crossing& crossing,
@@ -187,8 +228,9 @@ void Scene::noteNeeds() {
         needs_.diffuse = needs_.diffuse || anyOf(lobes, LobeFlags::Diffuse);
         needs_.glossy = needs_.glossy || anyOf(lobes, LobeFlags::Glossy);
         needs_.interiors = needs_.interiors || one.interior.has_value();
-        boundariesOfNothing_ = boundariesOfNothing_ || madeOfNothing(one);
+        indexMatched_ = indexMatched_ || indexMatched(one);
         needs_.medium = needs_.medium || (one.interior && one.interior->medium);
+        needs_.scattering = needs_.scattering || (one.interior && one.interior->medium && one.interior->medium->phase());
         needs_.areaLights = needs_.areaLights || one.emission;
         needs_.textures = needs_.textures || (one.material && one.material->textured()) ||
                           (one.emission && !one.emission->constant());

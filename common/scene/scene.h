@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "sampling/sampler.h"
 #include "scene/interaction.h"
 #include "scene/ray_counts.h"
 #include "scene/scene_description.h"
@@ -42,8 +43,8 @@ public:
     /// The nearest hit of anything, hidden boundaries included.
     std::optional<Hit> intersect(const Ray& ray) const;
 
-    /// Follows a ray to the next surface that does something to light: on the way it passes boundaries that don't
-    /// count.
+    /// Follows a ray to the next surface that does something to light: on the way it passes index-matched boundaries, and
+    /// those that are hidden in an object of higher priority. Media let pass what they neither absorb nor scatter.
     /// @param ray            unit direction
     /// @param media          what it starts in; afterwards what the surface is reached in
     /// @param transmittance  set to the share of light that passes the way
@@ -51,6 +52,15 @@ public:
     /// @return nothing when it leaves the scene
     std::optional<Interaction> follow(const Ray& ray, MediumStack& media, Color& transmittance,
                                       RayCounts& counts) const;
+
+    /// Follows a ray to a path's next vertex: a surface as above, or before that a point at which a medium scatters
+    /// light. Where nothing scatters it is the same, and takes no numbers.
+    /// @param weight   set to what the path's throughput is multiplied by: DistanceSample::weight of every medium on the
+    ///                 way
+    /// @param numbers  the path's
+    /// @param vertex   which vertex of the path is looked for, from 0
+    std::optional<Interaction> follow(const Ray& ray, MediumStack& media, Color& weight, const PathNumbers& numbers,
+                                      int vertex, RayCounts& counts) const;
 
     /// The share of light that passes a shadow ray. Surfaces that refract stop it: what comes through them straight on
     /// is not what would come.
@@ -64,6 +74,11 @@ public:
     MediumStack mediaAt(const Vec3& point) const;
 
 private:
+    // Gives the numbers of one medium after the other, on the way to one vertex of a path.
+    class MediumNumbers;
+    std::optional<Interaction> follow(const Ray& ray, MediumStack& media, Color& weight, MediumNumbers* numbers,
+                                      RayCounts& counts) const;
+
     const SceneObject& object(ObjectId id) const;
     bool passesStraight(const SceneObject& one, const Crossing& crossing) const;
     std::optional<Interaction> interaction(const Hit& hit, const Vec3& wo, const Crossing& crossing,
@@ -73,7 +88,7 @@ private:
 
     SceneDescription description_;
     SceneNeeds needs_;
-    bool boundariesOfNothing_ = false;                  // some object lets light pass straight on
+    bool indexMatched_ = false;                         // some boundary lets light pass straight on
     std::shared_ptr<const Shape> world_;                // null for an empty scene
     std::vector<std::shared_ptr<const Light>> lights_;  // those of objects first
     std::vector<const Light*> lightOfObject_;           // null for none

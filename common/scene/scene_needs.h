@@ -13,6 +13,7 @@ struct SceneNeeds {
     bool lens = false;         ///< a lens with an extent
     bool interiors = false;    ///< objects that something fills: a path has to know where it is
     bool medium = false;       ///< a medium that absorbs or scatters
+    bool scattering = false;   ///< a medium that scatters: paths have vertices in it
     bool textures = false;     ///< colours that vary over a surface
 };
 

@@ -288,9 +288,16 @@ TEST(Light, DirectSamplesAgreeWithTheirDensity) {
             ++seen;
             EXPECT_NEAR(sample->wi.norm(), 1, 1e-12);
             EXPECT_NEAR(sample->ray.direction.normalized().dot(sample->wi), 1, 1e-9);
+            if (!light->infinite()) {
+                EXPECT_LE((from.point + (sample->on.point - from.point).norm() * sample->wi - sample->on.point).norm(),
+                          1e-12);
+            }
             if (light->deltaPlace()) {
                 EXPECT_EQ(sample->pdfW, 1);
-            } else if (light->infinite()) {
+            } else if (!light->infinite()) {
+                EXPECT_NEAR(light->pdfW(from.point, sample->on) / sample->pdfW, 1, 1e-12);
+                EXPECT_TRUE((light->Le(sample->on, -sample->wi) == sample->radiance).all());
+            } else {
                 EXPECT_NEAR(light->pdfW(from.point, sample->wi), sample->pdfW, 1e-12);
                 EXPECT_TRUE((light->Le(sample->ray) == sample->radiance).all());
                 EXPECT_TRUE(std::isinf(sample->ray.tMax));

@@ -50,7 +50,7 @@ Interaction onFloor(const Scene& scene) {
     return *scene.follow({Vec3(0, 0.4, 0), -Vec3::UnitY()}, media, passed, counts);
 }
 
-// What askForLight brings on average must be the expected value, within 5.5 standard errors.
+// What sampleDirectLight brings on average must be the expected value, within 5.5 standard errors.
 void expectDirect(const Scene& scene, Real expected, const std::string& question) {
     const LightChoice lights(scene.lights());
     const Interaction at = onFloor(scene);
@@ -59,7 +59,7 @@ void expectDirect(const Scene& scene, Real expected, const std::string& question
     Real squares = 0;
     RayCounts counts;
     for (int i = 0; i < n; ++i) {
-        const auto direct = askForLight(scene, lights, at, i % 3, sampler.start(0, {0, 0}, i), counts);
+        const auto direct = sampleDirectLight(scene, lights, at, i % 3, sampler.start(0, {0, 0}, i), counts);
         const Real one = direct ? direct->value.x() : 0;
         sum += one;
         squares += one * one;
@@ -79,7 +79,7 @@ TEST(DirectLight, PointsAreChosenByPowerAndDividedByIt) {
     const Interaction at = onFloor(scene);
     RayCounts counts;
     for (int i = 0; i < 100; ++i) {
-        const auto direct = askForLight(scene, lights, at, 0, sampler.start(0, {0, 0}, i), counts);
+        const auto direct = sampleDirectLight(scene, lights, at, 0, sampler.start(0, {0, 0}, i), counts);
         ASSERT_TRUE(direct);
         const std::size_t chosen = direct->light.light == scene.lights()[0].get() ? 0 : 1;
         EXPECT_NEAR(direct->pdfW * direct->value.x(), single[chosen], 1e-9) << "Is the density that of both choices?";
@@ -121,9 +121,9 @@ TEST(LightWeight, IsThePowerHeuristicOfBothWays) {
     for (const Real asked : {0.02, 1.0, 7.0}) {
         for (const Real chance : {0.01, 0.3, 20.0}) {
             const Real all = asked * asked + chance * chance;
-            EXPECT_NEAR(tracer.weight(PathTracer::Met::Asked, asked, chance), asked * asked / all, 1e-12)
+            EXPECT_NEAR(tracer.weight(PathTracer::Sampled::Light, asked, chance), asked * asked / all, 1e-12)
                 << "Whose density stands above?";
-            EXPECT_NEAR(tracer.weight(PathTracer::Met::ByChance, asked, chance), chance * chance / all, 1e-12)
+            EXPECT_NEAR(tracer.weight(PathTracer::Sampled::Direction, asked, chance), chance * chance / all, 1e-12)
                 << "Whose density stands above?";
         }
     }
@@ -132,17 +132,17 @@ TEST(LightWeight, IsThePowerHeuristicOfBothWays) {
 // Where only one way leads to a light it counts in full: nobody asks at the eye and behind a mirror, and no path hits a
 // point. Where always somebody asks, what is met by chance must not count again.
 TEST(LightWeight, CountsEverythingOnce) {
-    using Met = PathTracer::Met;
+    using Sampled = PathTracer::Sampled;
     const PathTracer chance(anyScene(), sampler, box, {.direct = Direct::ByChance});
     const PathTracer asking(anyScene(), sampler, box, {.direct = Direct::DirectLight});
     const PathTracer both(anyScene(), sampler, box, {.direct = Direct::Mis});
     for (const PathTracer* const one : {&chance, &asking, &both})
-        EXPECT_EQ(one->weight(Met::ByChance, 0, 0.7), 1) << "Does anybody ask behind a mirror?";
+        EXPECT_EQ(one->weight(Sampled::Direction, 0, 0.7), 1) << "Does anybody ask behind a mirror?";
     for (const PathTracer* const one : {&asking, &both})
-        EXPECT_EQ(one->weight(Met::Asked, 0.7, 0), 1) << "Does any path hit a light at a point?";
-    EXPECT_EQ(chance.weight(Met::ByChance, 2, 0.7), 1) << "With this setting nobody asks.";
-    EXPECT_EQ(asking.weight(Met::Asked, 2, 0.7), 1) << "With this setting somebody always asks.";
-    EXPECT_EQ(asking.weight(Met::ByChance, 2, 0.7), 0) << "Is this light counted twice?";
+        EXPECT_EQ(one->weight(Sampled::Light, 0.7, 0), 1) << "Does any path hit a light at a point?";
+    EXPECT_EQ(chance.weight(Sampled::Direction, 2, 0.7), 1) << "With this setting nobody asks.";
+    EXPECT_EQ(asking.weight(Sampled::Light, 2, 0.7), 1) << "With this setting somebody always asks.";
+    EXPECT_EQ(asking.weight(Sampled::Direction, 2, 0.7), 0) << "Is this light counted twice?";
 }
 
 }  // namespace

@@ -129,7 +129,7 @@ public:
     bool reached(const Interaction& at, const WalkState& path) {
         const Real squared = (at.hit().point - places_.back()).squaredNorm();
         // Seen from the light's side, the segment leads from here to the vertex before.
-        here_ = {false, 1, 1, {geometricCosine(at.hit(), at.wo()), cosBefore_, squared}};
+        here_ = {false, 1, 1, {at.geometricCosine(at.wo()), cosBefore_, squared}};
         places_.push_back(at.hit().point);
         if (at.light() != nullptr && (at.Le() > 0).any() && path.length > 1) {
             const EmissionPdf pdf = at.light()->pdfEmission(at.hit(), at.wo());
@@ -160,7 +160,7 @@ private:
         v.toLight = delta ? 1 : at.bsdf()->pdfW(at.wo(), wi);
         v.toEye = delta ? 1 : at.bsdf()->pdfW(wi, at.wo());
         fromEye_.push_back(v);
-        cosBefore_ = geometricCosine(at.hit(), wi);
+        cosBefore_ = at.geometricCosine(wi);
     }
 
     // A path that ends with a light at a point, which no walk hits.

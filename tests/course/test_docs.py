@@ -6,6 +6,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
+from course_lib.errors import CourseError
 from course_lib.paths import ROOT
 from docs.builder import Builder
 from docs.doxygen_warnings import relevant_warnings
@@ -180,6 +181,26 @@ class Problems(SmallTree):
     def test_an_exercise_shown_by_another_page(self):
         self.write("docs/other.md", "# Other\n\n[code: ex-01.1](../common/curve/curve.cpp)\n")
         self.assertEqual(self.builder().lesson_problems(), ["docs/other.md:1: it shows ex-01.1, which is another chapter's"])
+
+    def test_code_that_is_no_exercise_is_shown(self):
+        self.write("common/curve/loop.h", "void f() {\n    //! [the-loop]\n    g();\n    //! [the-loop]\n}\n")
+        self.assertEqual(self.builder().lesson_problems(), ["common/curve/loop.h:3: no page shows the-loop; take the marker away"])
+        self.write("chapters/01_curves/README.md", LESSON + "\n[code: the-loop](../../common/curve/loop.h)\n")
+        self.assertEqual(self.builder().lesson_problems(), [])
+        converted, problems = self.convert("[code: the-loop](../../common/curve/loop.h)")
+        self.assertEqual(problems, [])
+        self.assertIn("~~~~{.cpp}\ng();\n~~~~", converted)
+
+    def test_an_exercise_within_shown_code_keeps_its_lines_and_loses_its_markers(self):
+        self.write("common/curve/outer.cpp", "//! [outer]\n" + CURVE.replace("ex-01.1", "ex-03.1") + "//! [outer]\n")
+        code = all_snippets(self.root)["outer"].code
+        self.assertNotIn("//!", code)
+        self.assertIn("return", code)
+
+    def test_shown_code_without_its_second_marker_is_an_error(self):
+        self.write("common/curve/loop.h", "//! [the-loop]\n")
+        with self.assertRaisesRegex(CourseError, "loop.h:1: the-loop has no closing marker"):
+            all_snippets(self.root)
 
     def test_an_exercise_of_a_chapter_to_come_waits_for_its_lesson(self):
         self.write("common/curve/patch.cpp", CURVE.replace("ex-01.1", "ex-03.1"))

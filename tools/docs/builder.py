@@ -53,10 +53,12 @@ class Builder:
         return [str(problem) for problem in problems + self._marker_problems(shown)]
 
     def _marker_problems(self, shown):
-        """Each exercise of a chapter that stands is to be shown once, by its own chapter's lesson."""
+        """Each exercise of a chapter that stands is to be shown once, by its own chapter's lesson; other code, somewhere."""
         problems = []
         standing = {folder.name[:2] for folder in self._chapter_folders()}
         for marker, snippet in self._snippets.items():
+            if not snippet.chapter and marker not in shown:
+                problems.append(Problem(snippet.path, snippet.line, f"no page shows {marker}; take the marker away"))
             if snippet.chapter not in standing:
                 continue
             lessons = [page for page in shown.get(marker, []) if page.name.startswith(f"chapter_{snippet.chapter}")]

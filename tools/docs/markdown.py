@@ -15,7 +15,7 @@ from urllib.parse import unquote
 
 from docs.tree import FENCE, HEADING
 
-SNIPPET_LINE = re.compile(r"^(\s*)\[code: (ex-\d\d\.\d+)\]\(([^)\s]+)\)\s*$")
+SNIPPET_LINE = re.compile(r"^(\s*)\[code: (ex-\d\d\.\d+|[a-z][a-z0-9_-]*)\]\(([^)\s]+)\)\s*$")
 RAW_SNIPPET = re.compile(r"^\s*[\\@]snippet\b")
 # A comment <!-- name --> on a line of its own is replaced by what the site's generator of that name draws.
 GENERATED = re.compile(r"^<!-- site: ([a-z]+) -->\s*$")

@@ -1,7 +1,5 @@
 #include "figures/glossy_tracer.h"
 
-#include "math/spawn.h"
-
 namespace caustic {
 
 Color GlossyTracer::Li(const Ray& ray, const MediumStack& media, const PathNumbers& numbers, RayCounts& counts) const {
@@ -20,11 +18,11 @@ Color GlossyTracer::Li(const Ray& ray, const MediumStack& media, const PathNumbe
             return sum + beta * atDiffuse_.direct(*at, vertex, numbers, counts);
 
         const auto sample =
-            at->bsdf()->sample(at->wo(), numbers.pair(Dimension::vertex(vertex, VertexUse::Direction)),
+            at->sample(numbers.pair(Dimension::vertex(vertex, VertexUse::Direction)),
                                numbers.number(Dimension::vertex(vertex, VertexUse::Lobe)), TransportMode::Radiance);
         if (!sample) return sum;
-        beta *= sample->f * (sample->delta() ? 1 : at->bsdf()->cosine(sample->wi)) / sample->pdfW;
-        rest = spawnRay(at->hit(), sample->wi);
+        beta *= sample->f * (sample->delta() ? 1 : at->cosine(sample->wi)) / sample->pdfW;
+        rest = at->spawn(sample->wi);
         here = at->media(sample->wi);
     }
     return sum;

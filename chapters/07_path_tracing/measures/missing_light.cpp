@@ -54,7 +54,7 @@ struct LampSeen {
 
     bool reached(const Interaction& at, const WalkState& path) {
         if (at.light() != nullptr) sum += path.beta * at.Le();
-        return at.bsdf() != nullptr && !anyOf(at.bsdf()->lobes(), LobeFlags::Diffuse | LobeFlags::Glossy);
+        return !at.connectible();
     }
     void scattered(const Interaction&, const BsdfSample&) {}
     void escaped(const WalkState&) {}
