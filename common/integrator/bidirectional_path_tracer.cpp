@@ -149,8 +149,7 @@ private:
         const Real fromLight = first.others(at.pdfW(sample.wi), 0);
         const EmissionPdf pdf = light.pdfEmission(sample.on, -sample.wi);
         const Real arrives = light.infinite() ? pdf.pdfA : pdf.pdfW / sample.ray.direction.squaredNorm();
-        const Real fromEye =
-            walk_.density().others(arrives * at.geometricCosine(sample.wi), at.reversePdfW(sample.wi));
+        const Real fromEye = walk_.density().others(arrives * at.geometricCosine(sample.wi), at.reversePdfW(sample.wi));
         add(1, path.length + 1, path.beta * direct->value, fromLight + fromEye);
     }
 

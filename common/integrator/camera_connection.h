@@ -13,8 +13,8 @@ struct CameraConnection {
         Color::Zero();  ///< what the pixels around get, if no other way to make the path is weighed against it
 };
 
-/// Connects a vertex of a light path to the camera. A specular surface is never seen this way: its one direction doesn't
-/// lead into the pinhole.
+/// Connects a vertex of a light path to the camera. A specular surface is never seen this way: its one direction
+/// doesn't lead into the pinhole.
 /// @param at       connectible()
 /// @param beta     throughput of the light path at the vertex, W
 /// @param vertex   which vertex of the path it is, from 0

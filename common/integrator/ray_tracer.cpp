@@ -34,8 +34,7 @@ Color RayTracer::trace(const Branch& branch, const PathNumbers& numbers, RayCoun
     for (const BsdfSample& lobe : at->bsdf()->deltaLobes(at->wo(), TransportMode::Radiance)) {
         // Energy, not radiance: what is scaled by 1/eta² on the way in is scaled back on the way out.
         const Real energy = (lobe.f * transmittance).maxCoeff() * lobe.eta * lobe.eta;
-        const Branch next = {at->spawn(lobe.wi), at->media(lobe.wi), branch.depth + 1,
-                             branch.weight * energy};
+        const Branch next = {at->spawn(lobe.wi), at->media(lobe.wi), branch.depth + 1, branch.weight * energy};
         if (next.weight > settings_.leastWeight) sum += lobe.f * trace(next, numbers.branch(label), counts);
         ++label;
     }

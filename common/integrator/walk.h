@@ -35,6 +35,7 @@ struct WalkState {
 /// @return how it was scattered; nothing when the path ends here
 inline std::optional<BsdfSample> leaveVertex(WalkState& path, const Interaction& at, TransportMode mode,
                                              const PathLimits& limits, const PathNumbers& numbers) {
+    //! [leave-vertex]
     const int vertex = path.length - 1;
     const auto next = scatter(at, mode, numbers, vertex);
     if (!next) return std::nullopt;
@@ -50,12 +51,13 @@ inline std::optional<BsdfSample> leaveVertex(WalkState& path, const Interaction&
     path.ray = at.spawn(next->sample.wi);
     path.media = at.media(next->sample.wi);
     return next->sample;
+    //! [leave-vertex]
 }
 
 /// A random walk through the scene: follows the ray to a vertex, a surface or a point of a medium that scatters; goes
-/// on from there, and so on, until the path leaves the scene, is absorbed, loses at roulette or is as long as it may be.
-/// One walk serves paths from the eye, paths from lights and photons; what they differ in is the visitor's. It is told
-/// of everything that happens:
+/// on from there, and so on, until the path leaves the scene, is absorbed, loses at roulette or is as long as it may
+/// be. One walk serves paths from the eye, paths from lights and photons; what they differ in is the visitor's. It is
+/// told of everything that happens:
 ///
 ///     bool reached(const Interaction& at, const WalkState& path);        // at a vertex; false ends the walk
 ///     void scattered(const Interaction& at, const BsdfSample& sample);   // and goes on from it
@@ -72,10 +74,10 @@ inline std::optional<BsdfSample> leaveVertex(WalkState& path, const Interaction&
 template <typename Visitor>
 void walk(const Scene& scene, WalkState path, TransportMode mode, const PathLimits& limits, const PathNumbers& numbers,
           RayCounts& counts, Visitor& visitor) {
+    //! [walk]
     for (;;) {
         Color weight;
-        const std::optional<Interaction> at =
-            scene.follow(path.ray, path.media, weight, numbers, path.length, counts);
+        const std::optional<Interaction> at = scene.follow(path.ray, path.media, weight, numbers, path.length, counts);
         path.beta *= weight;
         ++path.length;
         if (!at) return visitor.escaped(path);
@@ -84,6 +86,7 @@ void walk(const Scene& scene, WalkState path, TransportMode mode, const PathLimi
         if (!sample) return;
         visitor.scattered(*at, *sample);
     }
+    //! [walk]
 }
 
 }  // namespace caustic

@@ -13,7 +13,10 @@ inline std::optional<DirectSample> directFromPoint(const SurfacePoint& from, con
     const Vec3 way = light - from.point;
     const Real squared = way.squaredNorm();
     if (!(squared > 0) || (intensity == 0).all()) return std::nullopt;
-    return DirectSample{way / std::sqrt(squared), intensity / squared, 1, spawnRayTo(from, light),
+    return DirectSample{way / std::sqrt(squared),
+                        intensity / squared,
+                        1,
+                        spawnRayTo(from, light),
                         {.point = light, .ng = Vec3::Zero()}};
 }
 

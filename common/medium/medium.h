@@ -6,8 +6,8 @@
 
 namespace caustic {
 
-/// Result of Medium::sampleDistance: either light is scattered at a point of the ray, or it passes to the end. Both come
-/// with the weight that a path's throughput is multiplied by, and with the density that the weight is divided by
+/// Result of Medium::sampleDistance: either light is scattered at a point of the ray, or it passes to the end. Both
+/// come with the weight that a path's throughput is multiplied by, and with the density that the weight is divided by
 /// already. T is the transmittance up to t.
 struct DistanceSample {
     bool scattered = false;  ///< whether light is scattered at t, before the end

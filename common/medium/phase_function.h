@@ -14,8 +14,8 @@ struct PhaseSample {
 /// Into which directions a medium scatters light. Both directions are unit length and point away from the place, as
 /// those of a BSDF do: light that goes straight on has wi = −wo.
 ///
-/// Normalised, ∫ p dω = 1 for every wo: what is absorbed is the medium's coefficients' affair, not the phase function's.
-/// Symmetric, p(wo, wi) = p(wi, wo), so it is the same for both transport modes. Source: PBR 11.3.
+/// Normalised, ∫ p dω = 1 for every wo: what is absorbed is the medium's coefficients' affair, not the phase
+/// function's. Symmetric, p(wo, wi) = p(wi, wo), so it is the same for both transport modes. Source: PBR 11.3.
 class PhaseFunction {
 public:
     virtual ~PhaseFunction() = default;

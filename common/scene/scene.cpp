@@ -130,8 +130,7 @@ Color Scene::transmittance(const Ray& shadow, const MediumStack& media, RayCount
     ++counts.shadowRays;
     if (!world_) return Color::Ones();
     // In empty space the first boundary stops light, unless it is index-matched.
-    if (!indexMatched_ && media.current() == nullptr)
-        return world_->occluded(shadow) ? Color::Zero() : Color::Ones();
+    if (!indexMatched_ && media.current() == nullptr) return world_->occluded(shadow) ? Color::Zero() : Color::Ones();
 
     Color passed = Color::Ones();
     MediumStack here = media;
@@ -230,7 +229,8 @@ void Scene::noteNeeds() {
         needs_.interiors = needs_.interiors || one.interior.has_value();
         indexMatched_ = indexMatched_ || indexMatched(one);
         needs_.medium = needs_.medium || (one.interior && one.interior->medium);
-        needs_.scattering = needs_.scattering || (one.interior && one.interior->medium && one.interior->medium->phase());
+        needs_.scattering =
+            needs_.scattering || (one.interior && one.interior->medium && one.interior->medium->phase());
         needs_.areaLights = needs_.areaLights || one.emission;
         needs_.textures = needs_.textures || (one.material && one.material->textured()) ||
                           (one.emission && !one.emission->constant());

@@ -43,8 +43,8 @@ public:
     /// The nearest hit of anything, hidden boundaries included.
     std::optional<Hit> intersect(const Ray& ray) const;
 
-    /// Follows a ray to the next surface that does something to light: on the way it passes index-matched boundaries, and
-    /// those that are hidden in an object of higher priority. Media let pass what they neither absorb nor scatter.
+    /// Follows a ray to the next surface that does something to light: on the way it passes index-matched boundaries,
+    /// and those that are hidden in an object of higher priority. Media let pass what they neither absorb nor scatter.
     /// @param ray            unit direction
     /// @param media          what it starts in; afterwards what the surface is reached in
     /// @param transmittance  set to the share of light that passes the way
@@ -55,7 +55,8 @@ public:
 
     /// Follows a ray to a path's next vertex: a surface as above, or before that a point at which a medium scatters
     /// light. Where nothing scatters it is the same, and takes no numbers.
-    /// @param weight   set to what the path's throughput is multiplied by: DistanceSample::weight of every medium on the
+    /// @param weight   set to what the path's throughput is multiplied by: DistanceSample::weight of every medium on
+    /// the
     ///                 way
     /// @param numbers  the path's
     /// @param vertex   which vertex of the path is looked for, from 0

@@ -344,6 +344,7 @@ TEST(Scene, WhatIsNotNeededIsNotAsked) {
     EXPECT_EQ(counts.shadowRays, 64) << "a point light needs one shadow ray, whatever the setting";
     EXPECT_EQ(counts.crossings, 0);
     EXPECT_EQ(counts.transmittances, 0);
+    EXPECT_EQ(counts.distanceSamples, 0);
     EXPECT_EQ(counts.lensSamples, 0);
     EXPECT_EQ(counts.textureLookups, 0);
 }

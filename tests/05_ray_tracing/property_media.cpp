@@ -6,14 +6,14 @@
 #include <numbers>
 
 #include "core/random.h"
+#include "light/point_light.h"
+#include "material/diffuse_material.h"
 #include "medium/absorbing_medium.h"
 #include "sampling/independent_sampler.h"
 #include "scene/scene.h"
 #include "shape/box.h"
 #include "shape/plane.h"
 #include "support/coloured_fog.h"
-#include "material/diffuse_material.h"
-#include "light/point_light.h"
 
 namespace caustic {
 namespace {
@@ -119,17 +119,19 @@ SceneObject filled(const Vec3& from, const Vec3& to, std::shared_ptr<const Mediu
     return {std::make_shared<Box>(from, to), nullptr, Interior{1, std::move(medium), 0}, nullptr};
 }
 
-// Three fogs in a row, with index-matched boundaries, before a wall. A path that gets to the wall carries the product of
-// all transmittances; one that is scattered in the k-th carries those of the fogs before it times its own single
-// scattering. The same number for all three would have made the second pass whenever the first one does.
+// Three fogs in a row, with index-matched boundaries and a little empty space between, before a wall. A path that gets
+// to the wall carries the product of all transmittances; one that is scattered in the k-th carries those of the fogs
+// before it times its own single scattering. The same number for all three would have made the second pass whenever the
+// first one does.
 TEST(Follow, MediaInARowAreIndependent) {
     const Color sigmaA[] = {{0.3, 0, 0.1}, {0, 0, 0}, {0.2, 0.2, 1}};
     const Color sigmaS[] = {{0.2, 0.8, 0.4}, {1.5, 0.2, 0.7}, {0.5, 0.5, 0}};
-    const Real ends[] = {0, 0.5, 1.2, 1.9};
+    const Real from[] = {0, 0.55, 1.2};
+    const Real to[] = {0.5, 1.1, 1.9};
     SceneDescription description;
     for (int k = 0; k < 3; ++k)
-        description.objects.push_back(filled({ends[k], -1, -1}, {ends[k + 1], 1, 1},
-                                             std::make_shared<test::ColouredFog>(sigmaA[k], sigmaS[k])));
+        description.objects.push_back(
+            filled({from[k], -1, -1}, {to[k], 1, 1}, std::make_shared<test::ColouredFog>(sigmaA[k], sigmaS[k])));
     description.objects.push_back({std::make_shared<Plane>(Vec3(2.5, 0, 0), -Vec3::UnitX()),
                                    std::make_shared<DiffuseMaterial>(Color::Ones()),
                                    {},
@@ -149,14 +151,14 @@ TEST(Follow, MediaInARowAreIndependent) {
             ASSERT_TRUE(at);
             wall.add(at->isSurface() ? weight : Color(Color::Zero()));
             for (int k = 0; k < 3; ++k) {
-                const bool here = !at->isSurface() && at->point().x() > ends[k] && at->point().x() < ends[k + 1];
+                const bool here = !at->isSurface() && at->point().x() > from[k] && at->point().x() < to[k];
                 scattered[k].add(here ? weight : Color(Color::Zero()));
             }
         }
         Color before = Color::Ones();
         for (int k = 0; k < 3; ++k) {
             const Color sigmaT = sigmaA[k] + sigmaS[k];
-            const Color passes = (-sigmaT * (ends[k + 1] - ends[k])).exp();
+            const Color passes = (-sigmaT * (to[k] - from[k])).exp();
             scattered[k].expect(before * sigmaS[k] / sigmaT * (1 - passes), "scattered");
             before *= passes;
         }
@@ -174,9 +176,11 @@ TEST(Follow, TakesNoNumbersWhereNothingScatters) {
         Vec2 pair(const PathName&, Dimension) const override { throw std::logic_error("asked for a pair"); }
     };
     SceneDescription description;
-    description.objects = {
-        filled({0, -1, -1}, {1, 1, 1}, std::make_shared<AbsorbingMedium>(Color(0.4, 0, 2))),
-        {std::make_shared<Plane>(Vec3(2, 0, 0), -Vec3::UnitX()), std::make_shared<DiffuseMaterial>(Color::Ones()), {}, nullptr}};
+    description.objects = {filled({0, -1, -1}, {1, 1, 1}, std::make_shared<AbsorbingMedium>(Color(0.4, 0, 2))),
+                           {std::make_shared<Plane>(Vec3(2, 0, 0), -Vec3::UnitX()),
+                            std::make_shared<DiffuseMaterial>(Color::Ones()),
+                            {},
+                            nullptr}};
     const Scene scene(description);
     EXPECT_FALSE(scene.needs().scattering);
     EXPECT_TRUE(scene.needs().medium);
@@ -196,8 +200,8 @@ TEST(Follow, TakesNoNumbersWhereNothingScatters) {
     EXPECT_EQ(counts.transmittances, 2);
 }
 
-// A point of a medium, as connections see it: p for f, no cosine, rays from the very point, the same media wherever they
-// go.
+// A point of a medium, as connections see it: p for f, no cosine, rays from the very point, the same media wherever
+// they go.
 TEST(Interaction, IsAPointOfAMedium) {
     const test::ColouredFog fog(Color(0.1, 0.2, 0.3), Color(1, 2, 3));
     const Interior interior = {1, nullptr, 0};

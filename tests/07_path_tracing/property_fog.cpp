@@ -46,25 +46,23 @@ std::shared_ptr<const Camera> look(const Vec3& from, const Vec3& at, Real fieldO
     return std::make_shared<PinholeCamera>(from, at, Vec3::UnitZ(), fieldOfView, 1, 1);
 }
 
-// A furnace of radiance 1 stays one, whatever is in it that absorbs nothing: fog of any colour and albedo 1, two fogs in
-// one another, a white ball half in it, glass. A camera in the fog and one outside.
+// A furnace of radiance 1 stays one, whatever is in it that absorbs nothing: fog of any colour and albedo 1, two fogs
+// in one another, a white ball half in it, glass. A camera in the fog and one outside.
 TEST(Fog, WhiteFurnaceStaysWhite) {
     for (const Vec3& eye : {Vec3(3, 0.2, 0.1), Vec3(0.3, -0.4, 0.5)}) {
         SceneDescription description;
-        description.objects = {
-            ballOf(Vec3::Zero(), 1, fog(Color::Zero(), {0.4, 1.5, 3})),
-            ballOf({0.2, 0.3, -0.1}, 0.4, fog(Color::Zero(), {2, 0.3, 1}), 1),
-            ball({-0.9, 0.1, 0}, 0.3, std::make_shared<DiffuseMaterial>(Color::Ones())),
-            {std::make_shared<Sphere>(Vec3(0.1, -0.7, 0.2), 0.25),
-             std::make_shared<DielectricMaterial>(),
-             Interior{1.5, nullptr, 2},
-             nullptr}};
+        description.objects = {ballOf(Vec3::Zero(), 1, fog(Color::Zero(), {0.4, 1.5, 3})),
+                               ballOf({0.2, 0.3, -0.1}, 0.4, fog(Color::Zero(), {2, 0.3, 1}), 1),
+                               ball({-0.9, 0.1, 0}, 0.3, std::make_shared<DiffuseMaterial>(Color::Ones())),
+                               {std::make_shared<Sphere>(Vec3(0.1, -0.7, 0.2), 0.25),
+                                std::make_shared<DielectricMaterial>(), Interior{1.5, nullptr, 2}, nullptr}};
         description.lights = {std::make_shared<ConstantEnvironment>(Color::Ones())};
         description.camera = look(eye, {-0.2, 0, 0}, 0.5);
         const Scene scene(description);
         const PathLimits limits = {.maxLength = 4000, .rouletteStart = 1};
         for (const Direct direct : {Direct::ByChance, Direct::DirectLight, Direct::Mis}) {
-            const test::PathMean mean = test::meanOfRounds(PathTracer(scene, sampler, box, {limits, direct}), 16, 0.004);
+            const test::PathMean mean =
+                test::meanOfRounds(PathTracer(scene, sampler, box, {limits, direct}), 16, 0.004);
             EXPECT_NEAR(mean.mean, 1, 5 * mean.standardError + 1e-9) << static_cast<int>(direct);
         }
         const test::PathMean mean = test::meanOfRounds(BidirectionalPathTracer(scene, sampler, box, limits), 16, 0.01);
@@ -123,9 +121,10 @@ TEST(Fog, EnergyIsKept) {
         EXPECT_NEAR(mean[channel], 4 * pi * intensity[channel], 5.5 * error[channel]) << channel;
 }
 
-// ∫ σ_s e^(−σ_t (x + |y|)) I / (4π |y|²) dx over the way through the fog, y from the light to the point at x: light that
-// is scattered once, in one channel.
-Real scatteredOnce(const Ray& ray, Real enter, Real leave, const Vec3& light, Real intensity, Real sigmaS, Real sigmaT) {
+// ∫ σ_s e^(−σ_t (x + |y|)) I / (4π |y|²) dx over the way through the fog, y from the light to the point at x: light
+// that is scattered once, in one channel.
+Real scatteredOnce(const Ray& ray, Real enter, Real leave, const Vec3& light, Real intensity, Real sigmaS,
+                   Real sigmaT) {
     constexpr int n = 20'000;
     Real sum = 0;
     for (int i = 0; i < n; ++i) {
@@ -159,9 +158,11 @@ TEST(Fog, LightScatteredOnceMeetsItsIntegral) {
         const Real expected = scatteredOnce(ray, enterLeave - half, enterLeave + half, light, intensity[first],
                                             sigmaS[first], sigmaA[first] + sigmaS[first]);
         const PathLimits once = {.maxLength = 2, .rouletteStart = 9};
-        const test::PathMean path = test::meanOfRounds(PathTracer(scene, sampler, box, {once, Direct::Mis}), 16, 0.003 * expected);
+        const test::PathMean path =
+            test::meanOfRounds(PathTracer(scene, sampler, box, {once, Direct::Mis}), 16, 0.003 * expected);
         EXPECT_NEAR(path.mean, expected, 5 * path.standardError + 1e-4 * expected) << first;
-        const test::PathMean both = test::meanOfRounds(BidirectionalPathTracer(scene, sampler, box, once), 16, 0.003 * expected);
+        const test::PathMean both =
+            test::meanOfRounds(BidirectionalPathTracer(scene, sampler, box, once), 16, 0.003 * expected);
         EXPECT_NEAR(both.mean, expected, 5 * both.standardError + 1e-4 * expected) << first;
     }
 }
@@ -177,19 +178,19 @@ TEST(Fog, MethodsAgree) {
         SceneObject lamp;
         lamp.shape = std::make_shared<Rectangle>(Vec3(-0.5, -0.3, 1), Vec3(0, 0.6, 0), Vec3(0.6, 0, 0));
         lamp.emission = std::make_shared<ConstantTexture>(turned({4, 2, 7}));
-        description.objects = {
-            ballOf({0.1, 0, 0}, 2.2, fog(turned(sigmaA), turned(sigmaS))),
-            lamp,
-            ball({0.3, 0.2, -0.5}, 0.4, std::make_shared<DiffuseMaterial>(turned({0.8, 0.3, 0.5}))),
-            {std::make_shared<Rectangle>(Vec3(-1, -1, -0.9), Vec3(2, 0, 0), Vec3(0, 2, 0)),
-             std::make_shared<DiffuseMaterial>(turned({0.6, 0.9, 0.4})),
-             {},
-             nullptr}};
+        description.objects = {ballOf({0.1, 0, 0}, 2.2, fog(turned(sigmaA), turned(sigmaS))),
+                               lamp,
+                               ball({0.3, 0.2, -0.5}, 0.4, std::make_shared<DiffuseMaterial>(turned({0.8, 0.3, 0.5}))),
+                               {std::make_shared<Rectangle>(Vec3(-1, -1, -0.9), Vec3(2, 0, 0), Vec3(0, 2, 0)),
+                                std::make_shared<DiffuseMaterial>(turned({0.6, 0.9, 0.4})),
+                                {},
+                                nullptr}};
         description.lights = {std::make_shared<PointLight>(Vec3(0.7, -0.6, 0.4), turned({1, 3, 2}))};
         description.camera = look({1.2, -1.6, 0.3}, {0.1, 0, -0.3}, 0.8);
         const Scene scene(description);
         const PathLimits limits = {.maxLength = 6, .rouletteStart = 2};
-        const test::PathMean path = test::meanOfRounds(PathTracer(scene, sampler, box, {limits, Direct::Mis}), 16, 0.006);
+        const test::PathMean path =
+            test::meanOfRounds(PathTracer(scene, sampler, box, {limits, Direct::Mis}), 16, 0.006);
         const IndependentSampler others(17);
         const test::PathMean both = test::meanOfRounds(BidirectionalPathTracer(scene, others, box, limits), 16, 0.006);
         const IndependentSampler more(29);
@@ -234,12 +235,11 @@ private:
 // Roulette from the first vertex on, glass whose radiance scale the parts carry along, a coloured fog.
 TEST(Walk, SplitsWithoutBias) {
     SceneDescription description;
-    description.objects = {ballOf(Vec3::Zero(), 1, fog({0.2, 0.1, 0}, {0.8, 0.4, 1})),
-                           ball({0.2, 0.1, -0.4}, 0.3, std::make_shared<DiffuseMaterial>(Color(0.3, 0.6, 0.2))),
-                           {std::make_shared<Sphere>(Vec3(0.1, -0.5, 0.2), 0.35),
-                            std::make_shared<DielectricMaterial>(),
-                            Interior{1.5, fog({1, 0, 0}, {0.3, 0.3, 0.3}), 2},
-                            nullptr}};
+    description.objects = {
+        ballOf(Vec3::Zero(), 1, fog({0.2, 0.1, 0}, {0.8, 0.4, 1})),
+        ball({0.2, 0.1, -0.4}, 0.3, std::make_shared<DiffuseMaterial>(Color(0.3, 0.6, 0.2))),
+        {std::make_shared<Sphere>(Vec3(0.1, -0.5, 0.2), 0.35), std::make_shared<DielectricMaterial>(),
+         Interior{1.5, fog({1, 0, 0}, {0.3, 0.3, 0.3}), 2}, nullptr}};
     description.lights = {std::make_shared<ConstantEnvironment>(Color(1, 0.5, 2))};
     description.camera = look({1.1, -1.4, 0.8}, Vec3::Zero(), 0.5);
     const Scene scene(description);

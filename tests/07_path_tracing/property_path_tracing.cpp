@@ -77,6 +77,7 @@ TEST(Parsimony, WhatASceneDoesNotNeedIsNotAsked) {
     for (const RayCounts& one : {chance, direct, light, both}) {
         EXPECT_EQ(one.crossings, 0);
         EXPECT_EQ(one.transmittances, 0);
+        EXPECT_EQ(one.distanceSamples, 0);
         EXPECT_EQ(one.lensSamples, 0);
         EXPECT_EQ(one.textureLookups, 0);
     }

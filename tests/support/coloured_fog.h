@@ -5,8 +5,8 @@
 
 namespace caustic::test {
 
-/// A homogeneous medium that absorbs and scatters, each channel as it likes: the plainest one that a scene can be filled
-/// with, to see whether everything else treats scattering rightly.
+/// A homogeneous medium that absorbs and scatters, each channel as it likes: the plainest one that a scene can be
+/// filled with, to see whether everything else treats scattering rightly.
 class ColouredFog final : public Medium {
 public:
     /// @param sigmaA  absorption coefficient of each channel, 1/m, at least 0

@@ -19,7 +19,7 @@ Color GlossyTracer::Li(const Ray& ray, const MediumStack& media, const PathNumbe
 
         const auto sample =
             at->sample(numbers.pair(Dimension::vertex(vertex, VertexUse::Direction)),
-                               numbers.number(Dimension::vertex(vertex, VertexUse::Lobe)), TransportMode::Radiance);
+                       numbers.number(Dimension::vertex(vertex, VertexUse::Lobe)), TransportMode::Radiance);
         if (!sample) return sum;
         beta *= sample->f * (sample->delta() ? 1 : at->cosine(sample->wi)) / sample->pdfW;
         rest = at->spawn(sample->wi);
