@@ -2,9 +2,11 @@
 
 #include <cstdint>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "camera/pixel_filter.h"
+#include "core/byte_stream.h"
 #include "image/image.h"
 #include "sampling/pixel.h"
 
@@ -39,6 +41,22 @@ public:
 
     /// Says that further paths have set out whose contributions are splats.
     void countSplatPaths(std::int64_t paths) { splatPaths_ += paths; }
+
+    /// Adds what another film has gathered, pixel by pixel, as one sum each. So films that are merged in a fixed order
+    /// make a fixed picture, bit for bit, wherever each of them was made. When the other film has at most one sample of
+    /// each pixel and no splats, it is also what adding its samples to this one makes; a film's splats are summed
+    /// among themselves first.
+    /// @throws InputError when its size is another one
+    void merge(const Film& next);
+
+    /// Writes everything, exactly.
+    /// @param picture  names what is rendered: scene, method, seed, and whatever else makes the picture another one
+    void save(ByteWriter& to, std::string_view picture) const;
+
+    /// Puts what was saved in the place of what was gathered.
+    /// @throws InputError that names the file when it is no film, of another version, picture or size, cut short or
+    ///         damaged; this film then stays as it was
+    void load(ByteReader& from, std::string_view picture);
 
     /// Mean of a pixel's samples, splats included.
     Color value(Pixel pixel) const;

@@ -57,13 +57,13 @@ void parallelFor(std::int64_t count, int threads, const Body& body) {
 #ifdef CAUSTIC_STD_THREADS
     // The thread sanitizer does not know GCC's OpenMP barriers and would report every loop as a race.
     std::atomic<std::int64_t> next{0};
-    std::vector<std::jthread> workers;
-    for (int worker = 0; worker < threads; ++worker) {
-        workers.emplace_back([&] {
-            for (std::int64_t i = next++; i < count; i = next++) guarded(i);
-        });
-    }
-    workers.clear();
+    const auto work = [&] {
+        for (std::int64_t i = next++; i < count; i = next++) guarded(i);
+    };
+    std::vector<std::jthread> others;
+    for (int worker = 1; worker < threads; ++worker) others.emplace_back(work);
+    work();  // as with OpenMP, the calling thread is one of them
+    others.clear();
 #else
 #pragma omp parallel for schedule(dynamic) num_threads(threads)
     for (std::int64_t i = 0; i < count; ++i) guarded(i);

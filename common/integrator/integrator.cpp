@@ -8,7 +8,8 @@ namespace caustic {
 
 namespace {
 
-constexpr std::int64_t pathsPerItem = 64;  // so that threads have something to do between asking for more
+constexpr std::size_t pathsPerItem = 64;  // so that threads have something to do between asking for more
+constexpr std::size_t mostPathsAtOnce = std::size_t{1} << 16;  // whose contributions wait to be added to the film
 
 // What a run of paths brings, in their order.
 struct ItemResult {
@@ -16,27 +17,34 @@ struct ItemResult {
     RayCounts counts;
 };
 
+// Traces paths and adds what they bring, in their order.
+void tracePaths(const Integrator& integrator, std::span<const PathId> paths, int threads, Rendering& rendering) {
+    std::vector<Color> values(paths.size());
+    std::vector<ItemResult> items((paths.size() + pathsPerItem - 1) / pathsPerItem);
+    parallelFor(static_cast<std::int64_t>(items.size()), threads, [&](std::int64_t item) {
+        const auto first = static_cast<std::size_t>(item) * pathsPerItem;
+        ItemResult& own = items[static_cast<std::size_t>(item)];
+        for (std::size_t i = first; i < std::min(paths.size(), first + pathsPerItem); ++i)
+            values[i] = integrator.tracePath(paths[i], own.splats, own.counts);
+    });
+    for (std::size_t i = 0; i < paths.size(); ++i) rendering.film.add(paths[i].pixel, paths[i].index, values[i]);
+    for (const ItemResult& own : items) {
+        for (const Splat& splat : own.splats) rendering.film.splat(splat.film, splat.value, integrator.filter());
+        rendering.counts += own.counts;
+    }
+}
+
 }  // namespace
 
-PassBuffer Integrator::runPass(std::span<const PathId> paths, int threads) const {
-    PassBuffer buffer;
-    buffer.values.resize(paths.size());
-    const std::int64_t count = static_cast<std::int64_t>(paths.size());
-    const std::int64_t items = (count + pathsPerItem - 1) / pathsPerItem;
-    std::vector<ItemResult> results(static_cast<std::size_t>(items));
-    parallelFor(items, threads, [&](std::int64_t item) {
-        ItemResult& own = results[static_cast<std::size_t>(item)];
-        const std::int64_t end = std::min(count, (item + 1) * pathsPerItem);
-        for (std::int64_t i = item * pathsPerItem; i < end; ++i) {
-            const auto at = static_cast<std::size_t>(i);
-            buffer.values[at] = tracePath(paths[at], own.splats, own.counts);
-        }
-    });
-    for (const ItemResult& own : results) {
-        buffer.splats.insert(buffer.splats.end(), own.splats.begin(), own.splats.end());
-        buffer.counts += own.counts;
+Rendering Integrator::runPass(const Pass& pass, int threads) {
+    const Camera& camera = scene_->camera();
+    Rendering rendering = {Film(camera.width(), camera.height()), {}, 1, 0};
+    for (std::size_t first = 0; first < pass.paths.size(); first += mostPathsAtOnce) {
+        const std::size_t count = std::min(mostPathsAtOnce, pass.paths.size() - first);
+        tracePaths(*this, pass.paths.subspan(first, count), threads, rendering);
     }
-    return buffer;
+    rendering.film.countSplatPaths(static_cast<std::int64_t>(pass.paths.size()));
+    return rendering;
 }
 
 Color Integrator::tracePath(const PathId& path, std::vector<Splat>&, RayCounts& counts) const {

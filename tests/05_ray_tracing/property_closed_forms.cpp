@@ -338,8 +338,8 @@ TEST(Scene, WhatIsNotNeededIsNotAsked) {
     // Narrow enough for every ray to meet the floor.
     description.camera = std::make_shared<PinholeCamera>(Vec3(0, 1, 4), Vec3::Zero(), Vec3::UnitY(), 0.4, 8, 8);
     const Scene scene(description);
-    const RayTracer tracer(scene, independent, box, {.maxDepth = 5, .shadowSamples = 16});
-    const RayCounts counts = render(tracer, 1, 1).counts;
+    RayTracer tracer(scene, independent, box, {.maxDepth = 5, .shadowSamples = 16});
+    const RayCounts counts = render(tracer, {.passes = 1}).counts;
     EXPECT_EQ(counts.rays, 64);
     EXPECT_EQ(counts.shadowRays, 64) << "a point light needs one shadow ray, whatever the setting";
     EXPECT_EQ(counts.crossings, 0);
@@ -359,9 +359,9 @@ TEST(Render, PictureDoesNotDependOnThreads) {
     description.camera = std::make_shared<PinholeCamera>(Vec3(0, 2, 6), Vec3(0, 1, 0), Vec3::UnitY(), 0.6, 24, 20);
     const Scene scene(description);
     const StratifiedSampler sampler(9, 2);
-    const RayTracer tracer(scene, sampler, box, {.maxDepth = 4, .shadowSamples = 2});
-    const Rendering one = render(tracer, 4, 1);
-    const Rendering two = render(tracer, 4, 2);
+    RayTracer tracer(scene, sampler, box, {.maxDepth = 4, .shadowSamples = 2});
+    const Rendering one = render(tracer, {.passes = 4});
+    const Rendering two = render(tracer, {.passes = 4, .threads = 2});
     for (int y = 0; y < 20; ++y) {
         for (int x = 0; x < 24; ++x) EXPECT_TRUE((one.film.value({x, y}) == two.film.value({x, y})).all());
     }

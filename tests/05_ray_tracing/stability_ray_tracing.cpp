@@ -94,8 +94,8 @@ TEST(RayTracer, NoSampleIsNotANumber) {
         description.camera = std::make_shared<PinholeCamera>(3 * test::inCube(random), test::inCube(random),
                                                              Vec3(0.1, 1, 0.2), 0.9, 16, 16);
         const Scene scene(description);
-        const RayTracer tracer(scene, sampler, box, {.maxDepth = 6, .shadowSamples = 2});
-        const Rendering rendering = render(tracer, 1, 1);
+        RayTracer tracer(scene, sampler, box, {.maxDepth = 6, .shadowSamples = 2});
+        const Rendering rendering = render(tracer, {.passes = 1});
         EXPECT_EQ(rendering.film.badSamples(), 0) << "scene " << i;
         for (int p = 0; p < 256; ++p) EXPECT_GE(rendering.film.value({p % 16, p / 16}).minCoeff(), 0);
     }
@@ -233,7 +233,9 @@ TEST(BadInput, CameraFilmSamplerAndSettings) {
     EXPECT_THROW(RayTracer(empty, sampler, box, {.maxDepth = -1}), InputError);
     EXPECT_THROW(RayTracer(empty, sampler, box, {.shadowSamples = 0}), InputError);
     EXPECT_THROW(RayTracer(empty, sampler, box, {.leastWeight = 1}), InputError);
-    EXPECT_THROW(render(RayTracer(empty, sampler, box, {}), 0, 1), InputError);
+    RayTracer tracer(empty, sampler, box, {});
+    EXPECT_THROW(render(tracer, {.passes = 0}), InputError);
+    EXPECT_THROW(render(tracer, {.passes = 1}), InputError) << "there is no camera";
 }
 
 TEST(BadInput, Scenes) {

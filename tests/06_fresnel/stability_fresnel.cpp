@@ -162,9 +162,9 @@ TEST(GlossyTracer, RendersTheSameWithAnyThreadsAndNothingBad) {
         const Scene scene(ballScene(material, glass, 40, 30));
         const IndependentSampler sampler(5);
         const BoxFilter filter;
-        const GlossyTracer tracer(scene, sampler, filter, 12);
-        const Rendering one = render(tracer, 16, 1);
-        const Rendering two = render(tracer, 16, 2);
+        GlossyTracer tracer(scene, sampler, filter, 12);
+        const Rendering one = render(tracer, {.passes = 16});
+        const Rendering two = render(tracer, {.passes = 16, .threads = 2});
         EXPECT_FALSE(one.film.firstBad());
         const Image first = one.film.image();
         const Image second = two.film.image();

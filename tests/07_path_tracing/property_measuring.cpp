@@ -7,7 +7,7 @@
 #include "core/error.h"
 #include "figure/take_option.h"
 #include "image/picture_error.h"
-#include "integrator/timed_render.h"
+#include "integrator/render.h"
 #include "measures/caustic_reference.h"
 #include "measures/measured_scenes.h"
 #include "measures/radiosity.h"
@@ -48,27 +48,30 @@ TEST(Shrunk, KeepsTheMean) {
 }
 
 // Pass after pass is the same as all at once: the same numbers belong to the same paths.
-TEST(RenderFor, AddsUpToWhatRenderMakes) {
+TEST(Render, StopsWhenItIsTold) {
     const Scene scene(DiffuseBox{}.scene(12, 12));
     for (const Method method : allMethods) {
         const auto integrator = makeIntegrator(method, scene, sampler, box, 6);
-        const Rendering timed =
-            renderFor(*integrator, 1e9, [](const Rendering&, const TimedMoment& moment) { return moment.samples < 5; });
-        EXPECT_LE(rmse(timed.film.image(), render(*integrator, 5, 2).film.image()), 1e-6) << nameOf(method);
+        const Rendering told = render(*integrator, {.look = [](const Rendering& soFar) { return soFar.passes < 5; }});
+        EXPECT_EQ(told.passes, 5);
+        EXPECT_EQ(rmse(told.film.image(), render(*integrator, {.passes = 5, .threads = 2}).film.image()), 0)
+            << nameOf(method);
     }
 }
 
-TEST(RenderFor, EndsInTime) {
+TEST(Render, EndsInTime) {
     const Scene scene(DiffuseBox{}.scene(12, 12));
     const auto integrator = makeIntegrator(Method::Mis, scene, sampler, box, 6);
-    TimedMoment last;
-    renderFor(*integrator, 1e-9, [&](const Rendering&, const TimedMoment& moment) {
-        last = moment;
-        return true;
-    });
-    EXPECT_EQ(last.samples, 1) << "one pass is done in any case";
-    EXPECT_THROW(renderFor(*integrator, 0, {}), InputError);
-    EXPECT_THROW(renderFor(*integrator, std::nan(""), {}), InputError);
+    for (const int threads : {1, 2}) {
+        const Rendering rendering = render(*integrator, {.seconds = 1e-9, .threads = threads});
+        EXPECT_EQ(rendering.passes, 1) << "one pass is done in any case";
+        EXPECT_GT(rendering.seconds, 0);
+        EXPECT_THROW(render(*integrator, {.seconds = 0, .threads = threads}), InputError);
+        EXPECT_THROW(render(*integrator, {.seconds = std::nan(""), .threads = threads}), InputError);
+    }
+    EXPECT_THROW(render(*integrator, {.passes = 0}), InputError);
+    EXPECT_THROW(render(*integrator, {.passes = 1, .threads = 0}), InputError);
+    EXPECT_THROW(render(*integrator, {}), InputError) << "nothing says when to end";
 }
 
 TEST(TakeOption, TakesTheOptionAndItsValueAway) {
@@ -108,13 +111,13 @@ TEST(References, AgreeWithPathTracingAndLightTracing) {
         const Scene scene(description);
         const Color truth = meanOf(BoxRadiosity(both, 10, 2).picture(*description.camera, 32, 2));
         const auto integrator = makeIntegrator(Method::Mis, scene, sampler, box, 64);
-        const Color seen = meanOf(render(*integrator, 2000, 2).film.image());
+        const Color seen = meanOf(render(*integrator, {.passes = 2000, .threads = 2}).film.image());
         EXPECT_LE(((seen - truth).abs() / truth).maxCoeff(), 0.01) << "mirror: " << mirror;
     }
     const Scene caustic(CausticScene{}.onFloor(16));
     const auto light = makeIntegrator(Method::Light, caustic, sampler, box, 64);
     const Real truth = meanOf(causticReference({}, 16, 400'000, 2, 5)).x();
-    EXPECT_NEAR(meanOf(render(*light, 4000, 2).film.image()).x(), truth, 0.01 * truth);
+    EXPECT_NEAR(meanOf(render(*light, {.passes = 4000, .threads = 2}).film.image()).x(), truth, 0.01 * truth);
 }
 
 // The charts leave out what is near lamps: of the boxes nothing, since their lamps are out of view.

@@ -50,13 +50,12 @@ SceneObject lamp(const Vec3& corner, const Vec3& edgeU, const Vec3& edgeV, Real 
 TEST(Threads, DoNotChangeABit) {
     const Scene scene(peersBox(24, 24));
     const TentFilter tent;
-    const PathTracer path(scene, sampler, tent, {});
-    const LightTracer light(scene, sampler, tent, {});
-    const BidirectionalPathTracer both(scene, sampler, tent, {});
-    for (const Integrator* const one : {static_cast<const Integrator*>(&path), static_cast<const Integrator*>(&light),
-                                        static_cast<const Integrator*>(&both)}) {
-        const Rendering alone = render(*one, 3, 1);
-        const Rendering shared = render(*one, 3, 2);
+    PathTracer path(scene, sampler, tent, {});
+    LightTracer light(scene, sampler, tent, {});
+    BidirectionalPathTracer both(scene, sampler, tent, {});
+    for (Integrator* const one : std::initializer_list<Integrator*>{&path, &light, &both}) {
+        const Rendering alone = render(*one, {.passes = 3});
+        const Rendering shared = render(*one, {.passes = 3, .threads = 2});
         for (int p = 0; p < 24 * 24; ++p) {
             const Pixel pixel = {p % 24, p / 24};
             EXPECT_TRUE((alone.film.value(pixel) == shared.film.value(pixel)).all());
@@ -69,7 +68,7 @@ TEST(Threads, DoNotChangeABit) {
 TEST(Parsimony, WhatASceneDoesNotNeedIsNotAsked) {
     const Scene scene(DiffuseBox().scene(16, 16));
     const PathLimits limits = {.maxLength = 3, .rouletteStart = 9};
-    const auto countsOf = [](const Integrator& integrator) { return render(integrator, 4, 1).counts; };
+    const auto countsOf = [](auto integrator) { return render(integrator, {.passes = 4}).counts; };
     const RayCounts chance = countsOf(PathTracer(scene, sampler, box, {limits, Direct::ByChance}));
     const RayCounts direct = countsOf(PathTracer(scene, sampler, box, {limits, Direct::DirectLight}));
     const RayCounts light = countsOf(LightTracer(scene, sampler, box, limits));
@@ -96,11 +95,10 @@ TEST(Parsimony, WhatASceneDoesNotNeedIsNotAsked) {
 TEST(Parsimony, ShortestPathsWalkNowhere) {
     const Scene scene(DiffuseBox().scene(16, 16));
     const PathLimits limits = {.maxLength = 1, .rouletteStart = 0};
-    const LightTracer light(scene, sampler, box, limits);
-    const BidirectionalPathTracer both(scene, sampler, box, limits);
-    for (const Integrator* const one :
-         {static_cast<const Integrator*>(&light), static_cast<const Integrator*>(&both)}) {
-        const RayCounts counts = render(*one, 1, 1).counts;
+    LightTracer light(scene, sampler, box, limits);
+    BidirectionalPathTracer both(scene, sampler, box, limits);
+    for (Integrator* const one : std::initializer_list<Integrator*>{&light, &both}) {
+        const RayCounts counts = render(*one, {.passes = 1}).counts;
         EXPECT_EQ(counts.rays, 256);
         EXPECT_EQ(counts.shadowRays, 0);
     }

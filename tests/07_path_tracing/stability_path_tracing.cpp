@@ -52,19 +52,20 @@ std::shared_ptr<const Material> diffuse(Real reflectance) {
 
 // Every method once.
 void forEachMethod(const Scene& scene, const PixelFilter& filter,
-                   const std::function<void(const std::string& name, const Integrator&)>& use) {
-    use("path tracing by chance", PathTracer(scene, sampler, filter, {limits, Direct::ByChance}));
-    use("path tracing, direct light", PathTracer(scene, sampler, filter, {limits, Direct::DirectLight}));
-    use("path tracing, both", PathTracer(scene, sampler, filter, {limits, Direct::Mis}));
-    use("light tracing", LightTracer(scene, sampler, filter, limits));
-    use("bidirectional", BidirectionalPathTracer(scene, sampler, filter, limits));
+                   const std::function<void(const std::string& name, Integrator&)>& use) {
+    const auto with = [&use](const std::string& name, auto integrator) { use(name, integrator); };
+    with("path tracing by chance", PathTracer(scene, sampler, filter, {limits, Direct::ByChance}));
+    with("path tracing, direct light", PathTracer(scene, sampler, filter, {limits, Direct::DirectLight}));
+    with("path tracing, both", PathTracer(scene, sampler, filter, {limits, Direct::Mis}));
+    with("light tracing", LightTracer(scene, sampler, filter, limits));
+    with("bidirectional", BidirectionalPathTracer(scene, sampler, filter, limits));
 }
 
 // No sample of any method may be infinite or not a number, or negative.
 void expectNumbers(SceneDescription description, const std::string& what, int samples) {
     const Scene scene(std::move(description));
-    forEachMethod(scene, tent, [&](const std::string& name, const Integrator& integrator) {
-        const Rendering rendering = render(integrator, samples, 1);
+    forEachMethod(scene, tent, [&](const std::string& name, Integrator& integrator) {
+        const Rendering rendering = render(integrator, {.passes = samples});
         EXPECT_EQ(rendering.film.badSamples(), 0) << what << ", " << name;
         const Camera& camera = scene.camera();
         Real least = 0;
@@ -258,8 +259,8 @@ TEST(Failures, WhatAMethodCannotMakeIsDark) {
                            {std::make_shared<Sphere>(Vec3(0, 1, 0), 0.1), diffuse(0), {}, nullptr}};
     description.lights = {std::make_shared<ConeLight>(Vec3(0, 2, 0), Vec3::UnitY(), 0.5, Color::Constant(5))};
     description.camera = std::make_shared<PinholeCamera>(Vec3(0.5, 1, 0.5), Vec3(0.3, 0, 0.3), Vec3::UnitY(), 1, 8, 8);
-    const auto mean = [](const Integrator& integrator) {
-        const Rendering rendering = render(integrator, 64, 1);
+    const auto mean = [](auto integrator) {
+        const Rendering rendering = render(integrator, {.passes = 64});
         Real sum = 0;
         for (int p = 0; p < 64; ++p) sum += rendering.film.value({p % 8, p / 8}).mean();
         return sum / 64;

@@ -153,7 +153,7 @@ Measured measure(const Scene& scene, const MakeIntegrator& make, bool masked, in
         const BoxFilter filter;
         std::unique_ptr<Integrator> integrator = make(scene, sampler, filter);
         if (masked) integrator = std::make_unique<WithoutSpecularFirst>(scene, sampler, filter, std::move(integrator));
-        const Film film = render(*integrator, samples, 1).film;
+        const Film film = render(*integrator, {.passes = samples}).film;
         bad[static_cast<std::size_t>(batch)] = film.badSamples();
         for (int y = 0; y < agreementSide; ++y) {
             for (int x = 0; x < agreementSide; ++x) {

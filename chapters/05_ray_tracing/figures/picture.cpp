@@ -1,8 +1,5 @@
 #include "figures/picture.h"
 
-#include <stdexcept>
-#include <string>
-
 #include "camera/tent_filter.h"
 #include "image/tone_mapping.h"
 #include "integrator/render.h"
@@ -14,11 +11,10 @@ Image takePicture(const SceneDescription& description, const PictureSettings& se
     const Scene scene(description);
     const StratifiedSampler sampler(context.seed(), settings.perAxis);
     const TentFilter filter;
-    const RayTracer tracer(scene, sampler, filter, settings.tracer);
-    const Rendering rendering = render(tracer, settings.perAxis * settings.perAxis, context.threads());
-    if (const auto& bad = rendering.film.firstBad())
-        throw std::runtime_error("pixel (" + std::to_string(bad->pixel.x) + ", " + std::to_string(bad->pixel.y) +
-                                 "), sample " + std::to_string(bad->index) + " is not finite");
+    RayTracer tracer(scene, sampler, filter, settings.tracer);
+    const Rendering rendering =
+        render(tracer, {.passes = settings.perAxis * settings.perAxis, .threads = context.threads()});
+    requireFinite(rendering);
     return toneMapped(rendering.film.image(), settings.exposure, settings.white);
 }
 

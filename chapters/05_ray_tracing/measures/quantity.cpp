@@ -90,8 +90,8 @@ void addCounts(CsvTable& table, FigureContext& context) {
     const BoxFilter filter;
     for (const bool rich : {false, true}) {
         const Scene scene(rich ? boxScene(64, 48) : plain);
-        const RayTracer tracer(scene, sampler, filter, {.maxDepth = 8, .shadowSamples = 4});
-        const RayCounts counts = render(tracer, 1, context.threads()).counts;
+        RayTracer tracer(scene, sampler, filter, {.maxDepth = 8, .shadowSamples = 4});
+        const RayCounts counts = render(tracer, {.passes = 1, .threads = context.threads()}).counts;
         const std::string where = rich ? "box with mirror, glass and lamp: " : "diffuse room with a point light: ";
         const Real pixels = 64 * 48;
         const std::pair<const char*, std::int64_t> rows[] = {{"rays", counts.rays},

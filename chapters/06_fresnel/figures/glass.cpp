@@ -17,7 +17,7 @@ void drawGlass(std::shared_ptr<const Material> glass, const std::string& png, Fi
     const Scene scene(glassScene(std::move(glass), 900, 560));
     const StratifiedSampler sampler(context.seed(), perAxis);
     const TentFilter filter;
-    const RayTracer tracer(scene, sampler, filter, {.maxDepth = 14, .leastWeight = 4e-3, .shadowSamples = 2});
+    RayTracer tracer(scene, sampler, filter, {.maxDepth = 14, .leastWeight = 4e-3, .shadowSamples = 2});
     saveImage(context.output(png), takePicture(tracer, perAxis, context));
 }
 

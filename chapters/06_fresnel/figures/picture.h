@@ -8,6 +8,6 @@ namespace caustic {
 
 /// Renders perAxis² paths a pixel, and tone-maps.
 /// @throws std::runtime_error when a sample was no finite number
-Image takePicture(const Integrator& integrator, int perAxis, FigureContext& context);
+Image takePicture(Integrator& integrator, int perAxis, FigureContext& context);
 
 }  // namespace caustic

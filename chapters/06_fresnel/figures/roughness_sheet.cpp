@@ -20,7 +20,8 @@ Tile ballTile(const std::string& caption, std::shared_ptr<const Material> materi
                 const Scene scene(ballScene(material, glass, width, height));
                 const StratifiedSampler sampler(context.seed(), perAxis);
                 const TentFilter filter;
-                return takePicture(GlossyTracer(scene, sampler, filter, 12), perAxis, context);
+                GlossyTracer tracer(scene, sampler, filter, 12);
+                return takePicture(tracer, perAxis, context);
             }};
 }
 

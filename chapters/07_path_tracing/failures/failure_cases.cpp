@@ -39,7 +39,7 @@ Real rendered(Method method, const Case& one, std::uint64_t seed) {
     const IndependentSampler sampler(seed);
     const BoxFilter filter;
     const auto integrator = makeIntegrator(method, scene, sampler, filter, 8);
-    return render(*integrator, one.samples, 1).film.value({0, 0}).x();
+    return render(*integrator, {.passes = one.samples}).film.value({0, 0}).x();
 }
 
 bool wrong(Real answer, const Case& one) { return !(std::abs(answer - one.truth) <= one.tolerance); }

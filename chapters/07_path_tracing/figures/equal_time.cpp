@@ -38,7 +38,7 @@ void drawEqualTime(const EqualTimePicture& what, ChapterRuns& runs, FigureContex
     const BoxFilter filter;
     std::vector<Tile> tiles;
     CsvTable table({"method", "case", "samples", "error", "error_unit"});
-    context.progress().expect(static_cast<std::int64_t>(allMethods.size()) * what.width * what.height);
+    context.progress().expect(static_cast<std::int64_t>(allMethods.size()) * progressSteps);
     for (const Method method : allMethods) {
         const std::int64_t samples = work.samples(what.name, method, context.quality());
         const auto integrator = makeIntegrator(method, scene, sampler, filter, what.mostSegments);

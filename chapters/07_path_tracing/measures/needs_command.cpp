@@ -73,7 +73,7 @@ void tracePaths(const std::string& scene, const std::string& method, const std::
     const IndependentSampler sampler(1);
     const BoxFilter filter;
     const auto integrator = makeIntegrator(allMethods[static_cast<std::size_t>(how)], made, sampler, filter, 10);
-    if (paths > 0) keep(render(*integrator, paths, 1).film.value({0, 0}));
+    if (paths > 0) keep(render(*integrator, {.passes = paths}).film.value({0, 0}));
 }
 
 }  // namespace caustic

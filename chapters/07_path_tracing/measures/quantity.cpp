@@ -48,7 +48,7 @@ void addCounts(CsvTable& table, FigureContext& context) {
         const std::string where = "up to " + needy.name + ": ";
         for (const Method method : {Method::Mis, Method::Light, Method::Bidirectional}) {
             const auto integrator = makeIntegrator(method, scene, sampler, filter, 10);
-            const RayCounts counts = render(*integrator, 4, context.threads()).counts;
+            const RayCounts counts = render(*integrator, {.passes = 4, .threads = context.threads()}).counts;
             const std::pair<const char*, std::int64_t> rows[] = {{"rays", counts.rays},
                                                                  {"shadow rays", counts.shadowRays},
                                                                  {"boundaries", counts.crossings},

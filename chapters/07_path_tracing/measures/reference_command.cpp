@@ -92,7 +92,7 @@ void makeReference(const std::string& picture, const std::string& minutes, const
             const IndependentSampler sampler(seed);
             const BoxFilter filter;
             const auto tracer = makeIntegrator(Method::Bidirectional, *scene, sampler, filter, mostSegments);
-            return render(*tracer, 4, options.threads).film.image();
+            return render(*tracer, {.passes = 4, .threads = options.threads}).film.image();
         };
     }
     checkArgument(round != nullptr, "--reference", picture, "must be peers_box, caustic_mirror or caustic_floor");

@@ -1,13 +1,12 @@
 #include "measures/runs.h"
 
 #include <cmath>
-#include <stdexcept>
 
 #include "camera/box_filter.h"
 #include "core/parallel.h"
 #include "core/progress.h"
 #include "image/picture_error.h"
-#include "integrator/timed_render.h"
+#include "integrator/render.h"
 #include "measures/measured_scenes.h"
 #include "sampling/independent_sampler.h"
 
@@ -17,7 +16,6 @@ namespace {
 
 constexpr int width = 32;       // of the measured pictures
 constexpr int repetitions = 4;  // with the same seeds for a draft, so that its points are the report's first ones
-constexpr double noLimit = 1e9;
 
 // One method on one scene: its picture looked at after 1, 2, 4 … samples, several times anew.
 struct Run {
@@ -34,15 +32,16 @@ void measureOnce(Run& run, const Scene& scene, const Image& reference, std::int6
     const BoxFilter filter;
     const auto integrator = makeIntegrator(run.method, scene, sampler, filter, run.scene->mostSegments);
     std::size_t next = 0;
-    const Rendering rendering = renderFor(*integrator, noLimit, [&](const Rendering& soFar, const TimedMoment& moment) {
-        if (moment.samples < std::int64_t{1} << next) return true;
-        if (next == run.points.size()) run.points.push_back({run.scene->name, run.method, moment.samples});
+    const auto look = [&](const Rendering& soFar) {
+        if (soFar.passes < std::int64_t{1} << next) return true;
+        if (next == run.points.size()) run.points.push_back({run.scene->name, run.method, soFar.passes});
         const Real error = rmse(soFar.film.image(), reference, leftOut);
-        run.points[next].seconds += moment.seconds;
+        run.points[next].seconds += soFar.seconds;
         run.points[next].error += error * error;
         ++next;
-        return moment.samples < mostSamples;
-    });
+        return true;
+    };
+    const Rendering rendering = caustic::render(*integrator, {.passes = mostSamples, .look = look});
     run.bad += rendering.film.badSamples();
 }
 
@@ -58,11 +57,10 @@ void measure(Run& run, const Image& reference, std::int64_t mostSamples, std::ui
 
 }  // namespace
 
-Rendering ChapterRuns::render(const Integrator& integrator, std::int64_t samples, FigureContext& context) const {
-    Rendering rendering = caustic::render(integrator, samples, context.threads(), &context.progress());
-    if (const auto& bad = rendering.film.firstBad())
-        throw std::runtime_error("pixel (" + std::to_string(bad->pixel.x) + ", " + std::to_string(bad->pixel.y) +
-                                 "), sample " + std::to_string(bad->index) + " is not finite");
+Rendering ChapterRuns::render(Integrator& integrator, std::int64_t samples, FigureContext& context) const {
+    Rendering rendering =
+        caustic::render(integrator, {.passes = samples, .threads = context.threads(), .progress = &context.progress()});
+    requireFinite(rendering);
     return rendering;
 }
 

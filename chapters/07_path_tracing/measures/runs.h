@@ -21,7 +21,7 @@ public:
     /// Renders a picture for a figure.
     /// @param samples  paths a pixel, at least 1
     /// @throws std::runtime_error when a sample was no finite number
-    Rendering render(const Integrator& integrator, std::int64_t samples, FigureContext& context) const;
+    Rendering render(Integrator& integrator, std::int64_t samples, FigureContext& context) const;
 
     /// Every method on every measured scene, errors as root mean squares over some repetitions; made once and kept.
     const ConvergencePoints& convergence(FigureContext& context);

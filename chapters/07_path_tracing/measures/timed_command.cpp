@@ -8,7 +8,7 @@
 #include "image/image_file.h"
 #include "image/picture_error.h"
 #include "image/tone_mapping.h"
-#include "integrator/timed_render.h"
+#include "integrator/render.h"
 #include "measures/measured_scenes.h"
 #include "measures/work.h"
 #include "methods.h"
@@ -44,23 +44,22 @@ void renderTimed(const std::string& seconds, const std::string& name, const Chap
                 width, width, measured.judge.c_str());
     for (const Method method : allMethods) {
         const auto integrator = makeIntegrator(method, scene, sampler, filter, measured.mostSegments);
-        TimedMoment last;
-        const Rendering rendering =
-            renderFor(*integrator, limit, [&](const Rendering& soFar, const TimedMoment& moment) {
-                last = moment;
-                if (powerOfTwo(moment.samples))
-                    table.addRow(nameOf(method), moment.samples, moment.seconds, "s",
-                                 rmse(soFar.film.image(), reference, leftOut), "radiance (rms)");
-                return true;
-            });
+        const auto enter = [&](const Rendering& soFar) {
+            const Real error = rmse(soFar.film.image(), reference, leftOut);
+            table.addRow(nameOf(method), soFar.passes, soFar.seconds, "s", error, "radiance (rms)");
+        };
+        const auto look = [&](const Rendering& soFar) {
+            if (powerOfTwo(soFar.passes)) enter(soFar);
+            return true;
+        };
+        const Rendering rendering = render(*integrator, {.seconds = limit, .look = look});
+        if (!powerOfTwo(rendering.passes)) enter(rendering);
         const Image picture = rendering.film.image();
         const Real error = rmse(picture, reference, leftOut);
-        if (!powerOfTwo(last.samples))
-            table.addRow(nameOf(method), last.samples, last.seconds, "s", error, "radiance (rms)");
-        const double perSecond = static_cast<double>(last.samples) * width * width / last.seconds;
+        const double perSecond = static_cast<double>(rendering.passes) * width * width / rendering.seconds;
         std::printf("%-28s %6lld samples a pixel in %7.2f s, %9.0f samples/s, RMSE %.4f, %lld bad\n",
-                    nameOf(method).c_str(), static_cast<long long>(last.samples), last.seconds, perSecond, error,
-                    static_cast<long long>(rendering.film.badSamples()));
+                    nameOf(method).c_str(), static_cast<long long>(rendering.passes), rendering.seconds, perSecond,
+                    error, static_cast<long long>(rendering.film.badSamples()));
         std::fflush(stdout);
         saveImage(folder / ("timed_" + name + "_" + fileName(nameOf(method)) + ".png"), toneMapped(picture, 1, 4));
     }

@@ -10,7 +10,7 @@
 #include "core/atomic_file.h"
 #include "core/check.h"
 #include "figures/equal_time.h"
-#include "integrator/timed_render.h"
+#include "integrator/render.h"
 #include "sampling/independent_sampler.h"
 
 namespace caustic {
@@ -57,12 +57,7 @@ void recalibrate(const std::string& seconds, const ChapterInputs& chapter) {
         const BoxFilter filter;
         for (const Method method : allMethods) {
             const auto integrator = makeIntegrator(method, scene, sampler, filter, picture.mostSegments);
-            std::int64_t samples = 0;
-            renderFor(*integrator, limit, [&](const Rendering&, const TimedMoment& moment) {
-                samples = moment.samples;
-                return true;
-            });
-            json["samples"][picture.name][nameOf(method)] = samples;
+            json["samples"][picture.name][nameOf(method)] = render(*integrator, {.seconds = limit}).passes;
         }
     }
     writeTextAtomically(chapter.sourceDir / place, json.dump(2) + "\n");
