@@ -8,7 +8,6 @@
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
-set(CMAKE_VERIFY_INTERFACE_HEADER_SETS ON)
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
 include(GoogleTest)
 
@@ -120,6 +119,30 @@ function(_caustic_topic_targets out topic chapter)
   set(${out} "${targets}" PARENT_SCOPE)
 endfunction()
 
+add_custom_target(headers COMMENT "Each header compiles by itself")
+
+# Each header compiles by itself: nothing comes before it, no precompiled header either. Only its syntax is checked, again when
+# it or a file that it includes changes. Target headers; not a part of `all`.
+function(_caustic_check_header out header target)
+  set(checked "${CMAKE_BINARY_DIR}/headers/${header}.checked")
+  cmake_path(GET checked PARENT_PATH checked_folder)
+  file(MAKE_DIRECTORY "${checked_folder}")
+  set(folders "$<REMOVE_DUPLICATES:$<TARGET_PROPERTY:${target},INTERFACE_INCLUDE_DIRECTORIES>>")
+  set(ours "$<FILTER:${folders},INCLUDE,^${CMAKE_SOURCE_DIR}/>")
+  set(foreign "$<FILTER:${folders},EXCLUDE,^${CMAKE_SOURCE_DIR}/>")
+  set(definitions "$<TARGET_PROPERTY:${target},INTERFACE_COMPILE_DEFINITIONS>")
+  add_custom_command(OUTPUT "${checked}"
+    COMMAND "${CMAKE_CXX_COMPILER}" -std=c++${CMAKE_CXX_STANDARD} "$<TARGET_PROPERTY:caustic_options,INTERFACE_COMPILE_OPTIONS>"
+      ${OpenMP_CXX_FLAGS}
+      "$<$<BOOL:${definitions}>:-D$<JOIN:${definitions},;-D>>" "$<$<BOOL:${ours}>:-I$<JOIN:${ours},;-I>>"
+      "$<$<BOOL:${foreign}>:-idirafter;$<JOIN:${foreign},;-idirafter;>>" -fsyntax-only -MD -MT "${checked}" -MF "${checked}.d"
+      -include "${CMAKE_SOURCE_DIR}/${header}" -x c++ /dev/null
+    COMMAND "${CMAKE_COMMAND}" -E touch "${checked}"
+    DEPENDS "${CMAKE_SOURCE_DIR}/${header}" DEPFILE "${checked}.d"
+    COMMENT "Checking ${header} by itself" COMMAND_EXPAND_LISTS VERBATIM)
+  set(${out} "${checked}" PARENT_SCOPE)
+endfunction()
+
 # caustic_topic(<topic> [USES <topic>...] CHAPTER <n> <file>... [LIBRARIES <library>...] [CHAPTER ...])
 #
 # Declares the files of the topic in the current folder. LIBRARIES behind a CHAPTER are what that chapter's files need
@@ -191,6 +214,10 @@ function(caustic_topic topic)
       add_library(${target} INTERFACE)
       set(scope INTERFACE)
     endif()
+    foreach(header IN LISTS headers)
+      _caustic_check_header(checked "${folder}/${header}" ${target})
+      list(APPEND checked_headers "${checked}")
+    endforeach()
     list(TRANSFORM headers PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/")
     target_sources(${target} ${scope} FILE_SET HEADERS BASE_DIRS "${include_root}" FILES ${headers})
     target_link_libraries(${target} ${scope} caustic_options ${lower} ${libraries_${tag}})
@@ -204,6 +231,8 @@ function(caustic_topic topic)
       set_property(GLOBAL APPEND_STRING PROPERTY CAUSTIC_FILE_TAGS "${folder}/${file} ${topic} ${tag}\n")
     endforeach()
   endforeach()
+  add_custom_target(headers_${topic} DEPENDS ${checked_headers})
+  add_dependencies(headers headers_${topic})
 endfunction()
 
 # Interface target with everything that chapter <n> may use: caustic_upto_<NN>.

@@ -1,6 +1,7 @@
 """Checks who includes whom: chapter_order.py BUILD_DIR.
 
-Reads what the compiler really opened (ninja's dependency log) and what CMake declared (declarations.json), and fails when
+Reads what the compiler really opened (ninja's dependency log, and the lists of the headers that were compiled by themselves)
+and what CMake declared (declarations.json), and fails when
 - a file tagged N includes a file tagged later,
 - a topic's file includes one of a topic that it does not use, directly or through another,
 - the library includes a file of a chapter or a test, or one that no caustic_topic declares,
@@ -16,8 +17,6 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 
-# The generated file that compiles a header by itself: common/core/caustic_core_01_verify_interface_header_sets/core/x.h.cxx
-SELF_CONTAINED = re.compile(r"^(?P<top>[^/]+)/[^/]+/caustic_\w+_verify_interface_header_sets/(?P<header>.+)\.cxx$")
 OBJECT_LINE = re.compile(r"^(?P<object>\S.*): #deps \d+, deps mtime -?\d+ \((?P<state>\w+)\)$")
 INCLUDE = re.compile(r'^\s*#\s*include\s+["<]([^">]+)[">]')
 
@@ -116,15 +115,21 @@ def parse_dependencies(listing, build_dir, root=ROOT):
                 units.append(files)
         elif line.startswith("    ") and files is not None:
             files.append(line.strip())
-    return [(source_of(opened[0], build_dir, root), inside(opened[1:], build_dir, root)) for opened in units if opened]
+    return [(relative(opened[0], build_dir, root) or opened[0], inside(opened[1:], build_dir, root))
+            for opened in units if opened]
 
 
-def source_of(path, build_dir, root):
-    """What a compiler run is about: the source, or the header that a generated file compiles by itself."""
-    generated = SELF_CONTAINED.match(path)
-    if generated:
-        return f"{generated['top']}/{generated['header']}"
-    return relative(path, build_dir, root) or path
+def header_units(declarations, build_dir, root=ROOT):
+    """As parse_dependencies, of each header that was compiled by itself (target headers)."""
+    root, build_dir = root.resolve(), build_dir.resolve()
+    units = []
+    for name in declarations["files"]:
+        opened = build_dir / "headers" / f"{name}.checked.d"
+        if opened.exists() and opened.with_suffix("").exists():
+            words = opened.read_text().partition(": ")[2].replace("\\\n", " ")
+            paths = [path.replace("\\ ", " ") for path in re.split(r"(?<!\\)\s+", words) if path]
+            units.append((name, [path for path in inside(paths, build_dir, root) if path != name]))
+    return units
 
 
 def relative(path, build_dir, root):
@@ -195,8 +200,9 @@ def main(arguments):
     if len(arguments) != 1:
         sys.exit("usage: chapter_order.py BUILD_DIR")
     build_dir = Path(arguments[0])
-    order = Order(json.loads((build_dir / "declarations.json").read_text()))
-    units = parse_dependencies(read_listing(build_dir), build_dir)
+    declarations = json.loads((build_dir / "declarations.json").read_text())
+    order = Order(declarations)
+    units = parse_dependencies(read_listing(build_dir), build_dir) + header_units(declarations, build_dir)
     if not units:
         sys.exit(f"chapter_order: nothing has been compiled in {build_dir}; build first")
     broken = violations(units, order)

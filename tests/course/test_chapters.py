@@ -43,26 +43,37 @@ def drawn_by_one_thread(chapter, names, folder):
     return {path.name: path.read_bytes() for path in (Path(folder) / chapter).iterdir() if path.name != "provenance.json"}
 
 
-class Chapters(unittest.TestCase):
+class Chapter:
+    """The promises of one chapter; `chapter` is set by the classes below."""
+
+    chapter = ""
+
     def test_untimed_figures_are_the_same_for_one_thread_and_two(self):
-        for chapter in all_chapters():
-            with self.subTest(chapter), tempfile.TemporaryDirectory() as folder:
-                table = figures.table_of_contents(chapter)
-                untimed = [name for name, timed in table.items() if not timed]
-                self.assertTrue(untimed, "A chapter draws at least one figure without times.")
-                parallel, serial = drafted(chapter, table, untimed), drawn_by_one_thread(chapter, untimed, folder)
-                self.assertEqual(sorted(serial), sorted(parallel))
-                different = [name for name in serial if serial[name] != parallel[name]]
-                self.assertEqual(different, [], "Which sum is taken in the order in which threads finish?")
+        with tempfile.TemporaryDirectory() as folder:
+            table = figures.table_of_contents(self.chapter)
+            untimed = [name for name, timed in table.items() if not timed]
+            self.assertTrue(untimed, "A chapter draws at least one figure without times.")
+            parallel, serial = drafted(self.chapter, table, untimed), drawn_by_one_thread(self.chapter, untimed, folder)
+            self.assertEqual(sorted(serial), sorted(parallel))
+            different = [name for name in serial if serial[name] != parallel[name]]
+            self.assertEqual(different, [], "Which sum is taken in the order in which threads finish?")
 
     def test_bad_command_lines_are_refused_and_write_nothing(self):
-        for chapter in all_chapters():
-            for words in (["--only", "no_such_figure"], ["--threads", "0"], ["--quality", "best"], ["--nonsense"]):
-                with self.subTest(f"{chapter} {words}"), tempfile.TemporaryDirectory() as folder:
-                    finished = run_chapter(chapter, "--out", folder, *words)
-                    self.assertEqual(finished.returncode, 2)
-                    self.assertEqual(len(finished.stderr.splitlines()), 1, finished.stderr)
-                    self.assertEqual(list(Path(folder).iterdir()), [])
+        for words in (["--only", "no_such_figure"], ["--threads", "0"], ["--quality", "best"], ["--nonsense"]):
+            with self.subTest(words), tempfile.TemporaryDirectory() as folder:
+                finished = run_chapter(self.chapter, "--out", folder, *words)
+                self.assertEqual(finished.returncode, 2)
+                self.assertEqual(len(finished.stderr.splitlines()), 1, finished.stderr)
+                self.assertEqual(list(Path(folder).iterdir()), [])
+
+
+def load_tests(loader, tests, pattern):
+    """A class for each chapter."""
+    suite = unittest.TestSuite()
+    for chapter in all_chapters():
+        promises = type(f"Chapter_{chapter}", (Chapter, unittest.TestCase), {"chapter": chapter})
+        suite.addTests(loader.loadTestsFromTestCase(promises))
+    return suite
 
 
 if __name__ == "__main__":

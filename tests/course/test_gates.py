@@ -1,16 +1,15 @@
 """The gates of every chapter: its data agree with its tests; the starter compiles and fails by its stubs alone; the
 reference passes; the chapter builds from what is tagged up to it.
 
-All chapters share one tree in build/gates/, which begins empty and grows: for each chapter in turn it gets the files that
-were there when the chapter ended, at first with the chapter's exercises as stubs, then with the reference's bodies. So
-each file is compiled once, and whatever a compiler warns of is seen.
+All chapters share one tree in build/gates/, which grows: for each chapter in turn it gets the files that were there when
+the chapter ended, at first with the chapter's exercises as stubs, then with the reference's bodies. So each file is compiled
+once. A tree whose last build said anything, or came to no end, is built anew: whatever a compiler warns of is seen.
 
 One chapter alone: cd tests/course && PYTHONPATH=../../tools CAUSTIC_BUILD_DIR=../../build/release python3 -m unittest -k Gates_06 test_gates
 """
 
 import json
 import os
-import re
 import subprocess
 import unittest
 from dataclasses import dataclass
@@ -18,15 +17,16 @@ from pathlib import Path
 
 import strip
 from course_lib.chapters import all_chapters
+from course_lib.checks import known_files
 from course_lib.paths import ROOT
 from exercises.building import Built, build_tree, program
 from exercises.catalog import catalog_path, read_catalog
 from exercises.grading import run_tests
-from exercises.trees import files_to_build, lay_out, starter_overlay, work_folder
+from exercises.trees import lay_out, remove_tree, starter_overlay, work_folder
 from schema_check import json_errors
 
 FEWEST_EXERCISES, MOST_EXERCISES = 4, 8
-OF_A_CHAPTER = re.compile(r"(?:chapters|tests)/(\d\d)_")
+UNFINISHED = "unfinished"
 TAGS = json.loads((Path(os.environ["CAUSTIC_BUILD_DIR"]) / "declarations.json").read_text())["files"]
 
 
@@ -41,9 +41,11 @@ class Stage:
 
 def setUpModule():
     global work
-    context = work_folder("gates")
+    context = work_folder("gates", keep=True)
     work = context.__enter__()
     unittest.addModuleCleanup(context.__exit__, None, None, None)
+    if (work / UNFINISHED).exists():
+        remove_tree(work / "tree")
 
 
 def listed_tests(test_program):
@@ -76,21 +78,17 @@ class ChapterGates:
     def stage(cls, name, overlay):
         """Brings the tree to the chapter, builds its graded tests and its own program, and runs the tests."""
         tree = work / "tree"
-        lay_out(tree, [file for file in files_to_build() if cls.is_known(file)], overlay)
+        (work / UNFINISHED).touch()
+        lay_out(tree, known_files(cls.number), overlay)
         built = build_tree(tree, [cls.catalog.target, cls.chapter], f"{cls.chapter}, {name}",
                            [f"CAUSTIC_LAST_CHAPTER={cls.number}"])
         if built.error:
             return Stage(built, [], {})
+        if not built.warnings:
+            (work / UNFINISHED).unlink()
         test_program = program(tree, cls.catalog.target)
         ran = run_tests(cls.catalog, test_program, work / "scratch")
         return Stage(built, listed_tests(test_program), {o.test.name: o.outcome for o in ran})
-
-    @classmethod
-    def is_known(cls, name):
-        """Whether a file was there when this chapter ended."""
-        matched = OF_A_CHAPTER.match(name)
-        number = int(matched[1]) if matched else TAGS.get(name, {}).get("chapter", 0)
-        return number <= cls.number
 
     def test_the_starter_compiles_without_warnings(self):
         self.assertEqual(self.starter.built.error, "")

@@ -9,9 +9,11 @@ import time
 
 from course_lib import cmake
 from course_lib.chapters import add_chapters_argument, choose_chapters
+from course_lib.checks import inputs_of
 from course_lib.coverage import chapter_coverage
-from course_lib.ctest import all_test_names, of_chapters, of_kind, of_label, run_tests, test_names
+from course_lib.ctest import Outcome, all_test_names, by_check, of_chapters, of_kind, of_label, run_tests, test_names
 from course_lib.errors import CourseError
+from course_lib.green import Memory
 from course_lib.packages import ensure_packages
 from course_lib.paths import ROOT, build_dir, declarations
 from course_lib.process import run as run_program
@@ -27,13 +29,14 @@ FULL_PRESETS = ("sanitize", "thread", "debug")
 def add_arguments(parser):
     add_chapters_argument(parser)
     parser.add_argument("--full", action="store_true", help="sanitizers, coverage, all mutants and large tests as well")
+    parser.add_argument("--again", action="store_true", help="run also what passed and has not changed since")
     parser.add_argument("--preset", choices=("release", *FULL_PRESETS), default="release",
                         help="run the C++ tests as another preset builds them, and nothing else")
 
 
 def run(args):
     chapters = choose_chapters(args.chapters)
-    parts = Parts()
+    parts = Parts(args.again)
     ensure_packages("full" if args.full else "test")
     if args.preset != "release":
         run_preset(parts, args.preset, chapters)
@@ -47,7 +50,9 @@ def run(args):
 class Parts:
     """The parts of a test run: title, tests passed, failures, seconds."""
 
-    def __init__(self):
+    def __init__(self, again=False, memory=None):
+        self._again = again
+        self._memory = memory or Memory()
         self._rows = []
         self._failures = []
         self._start = time.monotonic()
@@ -57,9 +62,20 @@ class Parts:
         self._failures += [(title, name, output) for name, output in failed]
 
     def tests(self, title, preset, selection):
-        """A part that is a selection of ctest's."""
-        outcome = run_tests(preset, selection, title)
-        self.add(title, outcome.passed, outcome.failed, outcome.seconds)
+        """A part that is a selection of ctest's; what was green for the same inputs is not run again."""
+        checks = by_check(preset, selection)
+        inputs = {check: inputs_of(entries, preset) for check, entries in checks.items()}
+        known = {check: self._memory.passed(f"{preset} {check}", inputs[check]) for check in checks}
+        due = {check: entries for check, entries in checks.items() if self._again or known[check] is None}
+        before = sum(known[check] for check in checks if check not in due)
+        outcome = run_tests(preset, selection, title, due) if due else Outcome()
+        for check, entries in due.items():
+            if all(entry.name in outcome.counts for entry in entries):
+                self._memory.remember(f"{preset} {check}", inputs[check], sum(outcome.counts[e.name] for e in entries))
+            else:
+                self._memory.forget(f"{preset} {check}")
+        note = f"{before} of them unchanged since they passed" if before else ""
+        self.add(title, before + outcome.passed, outcome.failed, outcome.seconds, note)
 
     def step(self, title, work):
         """A part that holds or raises CourseError; `work` returns a note."""
@@ -112,7 +128,7 @@ def release_selections(chapters, everything):
 
 
 def check_headers():
-    cmake.build(targets=["all_verify_interface_header_sets"], title="headers by themselves")
+    cmake.build(targets=["headers"], title="headers by themselves")
     headers = [name for name in declarations()["files"] if name.endswith(".h")]
     return count(len(headers), "header")
 
