@@ -240,6 +240,11 @@ class Doxygen(SmallTree):
         self.assertIn('href="namespacecaustic.html#', lesson)  # `twice` in what the chapter adds to the library
         self.assertRegex((builder.html / "architecture.html").read_text(), r"<svg(.|\n)*>curve</text>")
 
+    def test_what_is_built_meanwhile_is_not_looked_at(self):
+        self.write("build/grade/1/tree/common/bad.h", "#pragma once\nint undocumented();\n")
+        (self.root / "build/grade/1/tree/gone.h").symlink_to("nowhere.h")  # as a file that goes while Doxygen walks
+        self.assertEqual(self.builder().build(), [])
+
     def test_an_undocumented_member_fails(self):
         self.write("common/curve/curve.h", CURVE_HEADER.replace("/// Twice a number.\n", ""))
         problems = self.builder().build()

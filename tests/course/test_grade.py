@@ -119,6 +119,16 @@ class Grade(unittest.TestCase):
         self.assertTrue(pipe.is_fifo())
         self.assertEqual(os.read(reader, 100), b"points")
 
+    def test_a_refused_submission_leaves_no_report_of_an_earlier_run(self):
+        paths = [self.top / name for name in ("old.json", "old_gradescope.json", "old.xml")]
+        for words in (("--submission", "none"), ("--time-limit", "0"), ("07",)):
+            for path in paths:
+                path.write_text("100 points")
+            json_file, gradescope, junit = paths
+            ended = course(self.toy, "grade", *words, "--json", json_file, "--gradescope", gradescope, "--junit", junit)
+            self.assertEqual(ended.returncode, 1)
+            self.assertEqual([path for path in paths if path.exists()], [], words)
+
     def test_errors_are_one_line(self):
         wrong = {
             ("grade", "07"): "there is no chapter '07'; there are 01_first, 02_second",

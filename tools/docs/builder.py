@@ -14,7 +14,7 @@ from docs.markdown import FILES_FOLDER, Converter, Problem
 from docs.parts import Parts
 from docs.postprocess import Finisher, Symbols, copy_file
 from docs.snippets import all_snippets
-from docs.tree import MAIN_PAGE, Tree
+from docs.tree import MAIN_PAGE, SKIPPED_FOLDERS, Tree
 
 THEME = "docs/theme"
 AWESOME = Path("/usr/share/doxygen-awesome-css")
@@ -115,9 +115,15 @@ class Builder:
         """Doxygen's warnings."""
         chapters = sorted(folder.relative_to(self._root).as_posix() for folder in self._chapter_folders())
         environment = dict(os.environ, CAUSTIC_OUT=str(self._out), CAUSTIC_AWESOME=str(installed(AWESOME)),
-                           CAUSTIC_DECLARATIONS=str(self._declarations_file), CAUSTIC_CHAPTER_FOLDERS=" ".join(chapters))
+                           CAUSTIC_DECLARATIONS=str(self._declarations_file), CAUSTIC_CHAPTER_FOLDERS=" ".join(chapters),
+                           CAUSTIC_INPUT=" ".join(self._input()))
         doxygen("docs/Doxyfile", cwd=self._root, env=environment)
         return relevant_warnings((self._out / "warnings.txt").read_text(encoding="utf-8"), self._root)
+
+    def _input(self):
+        """What Doxygen reads of the top folder: pages and folders, none that is built."""
+        return sorted(path.name for path in self._root.iterdir()
+                      if path.suffix == ".md" or (path.is_dir() and path.name not in SKIPPED_FOLDERS and path.name[0] != "."))
 
     def _copy_mathjax(self):
         for part in MATHJAX_PARTS:

@@ -169,6 +169,19 @@ def write_file(path, content):
         raise CourseError(f"{path} cannot be written: {error.strerror}; name a file in a folder that is there") from None
 
 
+def remove_file(path):
+    """Removes a report of an earlier run; a device or a pipe stays, and so does no path at all.
+
+    @throws CourseError when it cannot be removed
+    """
+    if path is None or not (Path(path).is_file() or Path(path).is_symlink()):
+        return
+    try:
+        Path(path).unlink()
+    except OSError as error:
+        raise CourseError(f"{path} cannot be replaced: {error.strerror}; name another file") from None
+
+
 def done_text(grades):
     """"3 of 12 exercises done"."""
     done = sum(len(grade.done) for grade in grades)
