@@ -1,5 +1,6 @@
 #include "core/text.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <fstream>
@@ -15,16 +16,42 @@ std::string formatReal(double value) {
     return {buffer.data(), end};
 }
 
+namespace {
+
+// Without a plus sign, which from_chars doesn't know. "+-1" stays, and is rubbish.
+std::string_view withoutPlus(std::string_view text) {
+    const bool plus = text.size() > 1 && text[0] == '+' && text[1] != '-';
+    return plus ? text.substr(1) : text;
+}
+
+// Whether a number that is out of range is too small, not too large: the exponent of its first digit tells.
+bool isTiny(std::string_view text) {
+    const std::size_t mark = std::min(text.find_first_of("eE"), text.size());
+    const std::size_t point = std::min(text.find('.'), mark);
+    const std::size_t first = std::min(text.find_first_of("123456789"), mark);
+    const auto shift = static_cast<double>(point) - static_cast<double>(first);
+    double exponent = 0;
+    for (const char c : text.substr(mark)) {
+        if (c >= '0' && c <= '9') exponent = 10 * exponent + (c - '0');
+    }
+    if (mark + 1 < text.size() && text[mark + 1] == '-') exponent = -exponent;
+    return shift + exponent < 0;
+}
+
+}  // namespace
+
 std::optional<double> parseReal(std::string_view text) {
-    if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+    text = withoutPlus(text);
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-    return value;
+    if (error == std::errc::invalid_argument || end != text.data() + text.size()) return std::nullopt;
+    if (error == std::errc()) return value;
+    if (!isTiny(text)) return std::nullopt;
+    return text.front() == '-' ? -0.0 : 0.0;
 }
 
 std::optional<long long> parseInteger(std::string_view text) {
-    if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+    text = withoutPlus(text);
     long long value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;

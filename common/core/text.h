@@ -11,7 +11,7 @@ namespace caustic {
 std::string formatReal(double value);
 
 /// Reads the whole of `text` as one number, in the "C" locale. Nothing for rubbish, trailing characters, or a value
-/// that a double cannot hold (1e400); "nan" and "inf" are read as such.
+/// that is too large for a double (1e400); one that is too small is 0. "nan" and "inf" are read as such.
 std::optional<double> parseReal(std::string_view text);
 
 /// Reads the whole of `text` as one integer; nothing for rubbish or overflow.

@@ -36,12 +36,12 @@ CircleArc arcOnCircle(const Vec2& halfChord, Real length, const SvgArc& arc) {
 std::vector<CubicPiece> arcToCubics(const SvgArc& arc) {
     if (arc.from == arc.to) return {};
     const Eigen::Rotation2D<Real> rotation(std::remainder(arc.rotation, Real(360)) * std::numbers::pi / 180);
-    const Vec2 halfChord = (rotation.inverse() * Vec2(arc.to / 2 - arc.from / 2)).cwiseQuotient(arc.radii);
+    const Vec2 halfChord = (rotation.inverse() * Vec2(arc.to / 2 - arc.from / 2)).cwiseQuotient(arc.radii.cwiseAbs());
     const Real length = halfChord.stableNorm();
     // Not finite: a radius is zero, or so small that the arc is one. Zero: the ends are as good as equal.
     if (!std::isfinite(length) || length == 0) return {lineToCubic(arc.from, arc.to)};
 
-    const Vec2 radii = arc.radii * std::max(length, Real(1));
+    const Vec2 radii = arc.radii.cwiseAbs() * std::max(length, Real(1));
     const auto [start, turn] = arcOnCircle(halfChord, length, arc);
     const auto onPage = [&](const Vec2& v) -> Vec2 { return rotation * Vec2(radii.cwiseProduct(v)); };
     const auto onCircle = [](Real angle) -> Vec2 { return {std::cos(angle), std::sin(angle)}; };

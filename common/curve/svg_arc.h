@@ -16,7 +16,7 @@ struct CubicPiece {
 /// An arc of an ellipse as SVG's path command A gives it.
 struct SvgArc {
     Vec2 from;
-    Vec2 radii;          ///< neither negative
+    Vec2 radii;          ///< their signs don't count
     Real rotation = 0;   ///< of the ellipse's x axis, in degrees
     bool large = false;  ///< whether the longer way round
     bool sweep = false;  ///< whether the angle grows: clockwise on the page, where y points down
@@ -29,8 +29,9 @@ constexpr Real arcError = 4.3e-6;
 
 /// Cubic pieces of at most 45 degrees along the arc; the last one ends exactly at `to`.
 ///
-/// Radii that are too small to reach are scaled up; a zero radius makes a line; equal ends make nothing.
-/// Source: SVG 1.1, F.6 (implementation notes on elliptical arcs).
+/// Signs of radii are dropped; radii that are too small to reach are scaled up; a zero radius makes a line; equal ends
+/// make nothing.
+/// Source: SVG 2, 9.5.1 (out-of-range elliptical arc parameters) and B.2.
 std::vector<CubicPiece> arcToCubics(const SvgArc& arc);
 
 /// A straight line as a cubic: its controls divide it in three.

@@ -15,11 +15,12 @@ namespace caustic {
 struct SvgPathElement {
     std::string id;           ///< may be empty
     std::size_t line = 0;     ///< where the element begins
-    bool drawn = true;        ///< false inside defs, clipPath, mask, symbol and the like
+    bool drawn = true;        ///< false inside defs, clipPath, mask, symbol and the like, and where display or
+                              ///< visibility hide it
     std::string data;         ///< the `d` attribute; empty draws nothing
     InputPlace dataPlace;     ///< where its value begins
     SvgTransform transform;   ///< from the path's units to those of the outermost svg element: all that groups set
-    std::string displacedBy;  ///< what else moves it and is not followed (see parseSvg); mostly empty
+    std::string notFollowed;  ///< what else hides, moves or bends it (see parseSvg); mostly empty
 };
 
 /// What this reader sees in an SVG file.
@@ -33,10 +34,15 @@ struct SvgDocument {
 /// Finds the paths of an SVG file. No curve is built yet: that is svgSplines, so that one bad path doesn't hide
 /// another.
 ///
-/// Transforms of all elements around a path add up. Content of nested svg, g, a and switch is drawn (of a switch all of
-/// it); content of any other element, and elements of other namespaces, are not. Not followed: `use`, style sheets, and
-/// what SVG offers beyond the `transform` attribute to displace something (a transform in `style`, a nested svg with a
-/// viewBox or with units); a path displaced so is refused by svgSplines.
+/// Transforms of all elements around a path add up: the attribute, or `transform` in a style, which goes before it;
+/// about `transform-origin` when that is given in lengths. Content of nested svg, g and a is drawn, and of a switch its
+/// first child that needs no extension, as long as `display` and `visibility`, in attributes or styles, hide none of
+/// it; content of any other element, and elements of other namespaces, are not.
+///
+/// Not followed, so that svgSplines refuses the path and says why: style sheets and animations that hide or displace,
+/// CSS's translate, rotate, scale, offset, zoom and d, origins and transforms that depend on a box or a font,
+/// transforms in space, a transform of the outermost svg, a nested svg with a viewBox or with units, and a switch by
+/// language. `use` is not followed either.
 /// @param text  the whole file, in UTF-8
 /// @param file  what errors call it
 /// @throws InputError with the line: no XML, no SVG, a bad transform, entity declarations (which could make a small
@@ -46,7 +52,7 @@ SvgDocument parseSvg(std::string_view text, const std::string& file);
 
 /// The curves of a path, a spline for each subpath, in the units of the outermost svg element, y pointing down as
 /// there.
-/// @throws InputError as parseSvgPathData, or when something unknown displaces the path
+/// @throws InputError as parseSvgPathData, or when the path depends on what is not followed
 std::vector<BezierSpline> svgSplines(const SvgPathElement& path);
 
 /// The path that the user means.

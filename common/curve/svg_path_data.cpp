@@ -1,85 +1,75 @@
 #include "curve/svg_path_data.h"
 
 #include <algorithm>
+#include <array>
+#include <optional>
 #include <string>
-#include <svgpp/parser/grammar/path_data.hpp>
 
 #include "core/text.h"
 #include "curve/profile_limits.h"
 #include "curve/svg_arc.h"
+#include "curve/svg_scanner.h"
 
 namespace caustic {
 
 namespace {
 
-using Absolute = svgpp::tag::coordinate::absolute;
-using Relative = svgpp::tag::coordinate::relative;
+// A command's letter in upper case, how many numbers it takes, and whether they count from the current point.
+struct Command {
+    char letter;
+    std::size_t count;
+    bool relative;
+};
 
-// What svgpp calls for each command. Keeps what the next command may refer to: the current point, the beginning of the
-// subpath, and the last control point for the smooth forms.
+std::optional<Command> commandOf(char letter) {
+    constexpr std::string_view letters = "MLHVCSQTAZ";
+    constexpr std::array<std::size_t, letters.size()> counts = {2, 2, 1, 1, 6, 4, 4, 2, 7, 0};
+    const bool relative = letter >= 'a' && letter <= 'z';
+    const char upper = relative ? static_cast<char>(letter - 'a' + 'A') : letter;
+    const std::size_t found = letters.find(upper);
+    if (found == std::string_view::npos) return std::nullopt;
+    return Command{upper, counts[found], relative};
+}
+
+using Numbers = std::array<Real, 7>;
+
+// Draws the commands. Keeps what the next command may refer to: the current point, the beginning of the subpath, and
+// the last control point for the smooth forms.
 class SubpathBuilder {
 public:
     SubpathBuilder(const SvgTransform& transform, const InputPlace& place) : transform_(transform), place_(place) {}
 
-    std::vector<BezierSpline> takeSplines() { return std::move(splines_); }
-
-    template <typename Kind>
-    void path_move_to(Real x, Real y, Kind kind) {
+    std::vector<BezierSpline> takeSplines() {
         finishSubpath(false);
-        current_ = begin_ = onPage(x, y, kind);
-        forgetControls();
+        return std::move(splines_);
     }
 
-    template <typename Kind>
-    void path_line_to(Real x, Real y, Kind kind) {
-        const Vec2 end = onPage(x, y, kind);
-        append(lineToCubic(current_, end));
-        forgetControls();
+    void draw(const Command& command, const Numbers& n) {
+        const Vec2 from = command.relative ? current_ : Vec2::Zero();
+        const auto point = [&](std::size_t i) { return checked(from + Vec2(n[i], n[i + 1])); };
+        switch (command.letter) {
+            case 'M':
+                return moveTo(point(0));
+            case 'L':
+                return lineTo(point(0));
+            case 'H':
+                return lineTo(checked({from.x() + n[0], current_.y()}));
+            case 'V':
+                return lineTo(checked({current_.x(), from.y() + n[0]}));
+            case 'C':
+                return cubicTo(point(0), point(2), point(4));
+            case 'S':
+                return cubicTo(mirrored(cubicControl_), point(0), point(2));
+            case 'Q':
+                return quadraticTo(point(0), point(2));
+            case 'T':
+                return quadraticTo(mirrored(quadraticControl_), point(0));
+            case 'A':
+                return arcTo(n, point(5));
+            default:
+                return close();
+        }
     }
-
-    void path_line_to_ortho(Real coordinate, bool horizontal, Absolute kind) {
-        path_line_to(horizontal ? coordinate : current_.x(), horizontal ? current_.y() : coordinate, kind);
-    }
-
-    void path_line_to_ortho(Real coordinate, bool horizontal, Relative kind) {
-        path_line_to(horizontal ? coordinate : 0, horizontal ? 0 : coordinate, kind);
-    }
-
-    template <typename Kind>
-    void path_cubic_bezier_to(Real x1, Real y1, Real x2, Real y2, Real x, Real y, Kind kind) {
-        appendCubic(onPage(x1, y1, kind), onPage(x2, y2, kind), onPage(x, y, kind));
-    }
-
-    template <typename Kind>
-    void path_cubic_bezier_to(Real x2, Real y2, Real x, Real y, Kind kind) {
-        appendCubic(mirrored(cubicControl_), onPage(x2, y2, kind), onPage(x, y, kind));
-    }
-
-    template <typename Kind>
-    void path_quadratic_bezier_to(Real x1, Real y1, Real x, Real y, Kind kind) {
-        appendQuadratic(onPage(x1, y1, kind), onPage(x, y, kind));
-    }
-
-    template <typename Kind>
-    void path_quadratic_bezier_to(Real x, Real y, Kind kind) {
-        appendQuadratic(mirrored(quadraticControl_), onPage(x, y, kind));
-    }
-
-    template <typename Kind>
-    void path_elliptical_arc_to(Real rx, Real ry, Real rotation, bool large, bool sweep, Real x, Real y, Kind kind) {
-        const Vec2 end = onPage(x, y, kind);
-        for (const Real value : {rx, ry, rotation}) checkSize(value);
-        for (const CubicPiece& piece : arcToCubics({current_, {rx, ry}, rotation, large, sweep, end})) append(piece);
-        forgetControls();
-    }
-
-    void path_close_subpath() {
-        finishSubpath(true);
-        current_ = begin_;
-        forgetControls();
-    }
-
-    void path_exit() { finishSubpath(false); }
 
 private:
     void checkSize(Real value) const {
@@ -93,8 +83,29 @@ private:
         return point;
     }
 
-    Vec2 onPage(Real x, Real y, Absolute) const { return checked({x, y}); }
-    Vec2 onPage(Real x, Real y, Relative) const { return checked(current_ + Vec2(x, y)); }
+    void moveTo(const Vec2& point) {
+        finishSubpath(false);
+        current_ = begin_ = point;
+        forgetControls();
+    }
+
+    void lineTo(const Vec2& end) {
+        append(lineToCubic(current_, end));
+        forgetControls();
+    }
+
+    void arcTo(const Numbers& n, const Vec2& end) {
+        for (const std::size_t i : {0, 1, 2}) checkSize(n[i]);
+        const SvgArc arc{current_, {n[0], n[1]}, n[2], n[3] != 0, n[4] != 0, end};
+        for (const CubicPiece& piece : arcToCubics(arc)) append(piece);
+        forgetControls();
+    }
+
+    void close() {
+        finishSubpath(true);
+        current_ = begin_;
+        forgetControls();
+    }
 
     Vec2 mirrored(const std::optional<Vec2>& control) const { return control ? 2 * current_ - *control : current_; }
 
@@ -110,13 +121,13 @@ private:
         current_ = piece.end;
     }
 
-    void appendCubic(const Vec2& control1, const Vec2& control2, const Vec2& end) {
+    void cubicTo(const Vec2& control1, const Vec2& control2, const Vec2& end) {
         append({control1, control2, end});
         forgetControls();
         cubicControl_ = control2;
     }
 
-    void appendQuadratic(const Vec2& control, const Vec2& end) {
+    void quadraticTo(const Vec2& control, const Vec2& end) {
         append(quadraticToCubic(current_, control, end));
         forgetControls();
         quadraticControl_ = control;
@@ -166,28 +177,70 @@ private:
     std::optional<Vec2> quadraticControl_;
 };
 
-std::string complaint(std::string_view data, std::string_view rest) {
-    constexpr std::string_view moves = "Mm";
-    const std::string_view first = trimmed(data);
-    if (moves.find(first.front()) == std::string_view::npos) return "path data must begin with M or m";
-    if (rest.size() == data.size()) return "malformed path data: M needs two numbers";
-    return "malformed path data from here on; a command M L H V C S Q T A Z with its numbers is expected";
+// The numbers of a command, with separators between them; nothing, and nothing taken, when they aren't all there.
+std::optional<Numbers> takeNumbers(SvgScanner& scanner, const Command& command) {
+    const std::size_t begin = scanner.place();
+    Numbers numbers{};
+    for (std::size_t i = 0; i < command.count; ++i) {
+        if (i > 0) scanner.skipSeparator();
+        const bool isFlag = command.letter == 'A' && (i == 3 || i == 4);
+        const std::optional<Real> number = isFlag ? scanner.takeFlag() : scanner.takeNumber();
+        if (!number) {
+            scanner.goTo(begin);
+            return std::nullopt;
+        }
+        numbers[i] = *number;
+    }
+    return numbers;
+}
+
+// A command with all the groups of numbers that follow it; those after a move are lines. False, and the scanner at the
+// mistake, when it is malformed.
+bool drawCommand(SvgScanner& scanner, SubpathBuilder& builder) {
+    const std::size_t begin = scanner.place();
+    std::optional<Command> command = commandOf(scanner.next());
+    if (!command) return false;
+    scanner.take(scanner.next());
+    scanner.skipSpace();
+    std::optional<Numbers> numbers = takeNumbers(scanner, *command);
+    if (!numbers) {
+        scanner.goTo(begin);
+        return false;
+    }
+    builder.draw(*command, *numbers);
+    if (command->letter == 'M') command->letter = 'L';
+    for (std::size_t end = scanner.place(); command->count > 0; end = scanner.place()) {
+        scanner.skipSeparator();
+        numbers = takeNumbers(scanner, *command);
+        if (!numbers) {
+            scanner.goTo(end);
+            break;
+        }
+        builder.draw(*command, *numbers);
+    }
+    scanner.skipSpace();
+    return true;
 }
 
 }  // namespace
 
 std::vector<BezierSpline> parseSvgPathData(std::string_view data, const SvgTransform& transform,
                                            const InputPlace& place) {
-    using Grammar = svgpp::path_data_grammar<const char*, SubpathBuilder, Real>;
-    static const Grammar grammar;
-    const char* rest = data.data();
-    const char* const end = rest + data.size();
+    SvgScanner scanner(data);
     SubpathBuilder builder(transform, place);
-    boost::spirit::qi::phrase_parse(rest, end, grammar(boost::phoenix::ref(builder)), Grammar::skipper_type());
-    if (rest != end) {
-        const auto done = static_cast<std::size_t>(rest - data.data());
-        throw InputError({place.file, place.line + lineOf(data, done) - 1}, std::string(trimmed(data.substr(done))),
-                         complaint(data, data.substr(done)));
+    const auto fail = [&](const std::string& reason) {
+        throw InputError({place.file, place.line + lineOf(data, scanner.place()) - 1},
+                         std::string(trimmed(scanner.rest())), reason);
+    };
+    scanner.skipSpace();
+    const std::size_t first = scanner.place();
+    if (!scanner.rest().empty() && scanner.next() != 'M' && scanner.next() != 'm')
+        fail("path data must begin with M or m");
+    while (!scanner.rest().empty()) {
+        if (drawCommand(scanner, builder)) continue;
+        fail(scanner.place() == first
+                 ? "malformed path data: M needs two numbers"
+                 : "malformed path data from here on; a command M L H V C S Q T A Z with its numbers is expected");
     }
     return builder.takeSplines();
 }

@@ -40,7 +40,7 @@ TEST(BadPathData, IsRefusedFromTheFirstMistakeOn) {
     EXPECT_EQ(withData("M0 0 L1 nan"), expected + " (got 'L1 nan')");
     EXPECT_EQ(withData("M0 0 L1 inf"), expected + " (got 'L1 inf')");
     EXPECT_EQ(withData("M0 0 L1 1e400"), expected + " (got 'L1 1e400')");
-    EXPECT_EQ(withData("M0 0 L1 1e99999999999999999999"), expected + " (got 'e99999999999999999999')");
+    EXPECT_EQ(withData("M0 0 L1 1e99999999999999999999"), expected + " (got 'L1 1e99999999999999999999')");
     EXPECT_EQ(withData("M0 0 A1 1 0 2 0 5 5"), expected + " (got 'A1 1 0 2 0 5 5')");
     EXPECT_EQ(withData("M0 0 z 5"), expected + " (got '5')");
     EXPECT_EQ(withData("M0 0 L1 1;"), expected + " (got ';')");

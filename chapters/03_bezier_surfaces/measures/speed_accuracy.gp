@@ -10,8 +10,9 @@ set yrange [0.15:1e6]
 set ytics ("none" 0.3, "1" 1, "10" 10, "10^{2}" 100, "10^{3}" 1e3, "10^{4}" 1e4, "10^{5}" 1e5, "10^{6}" 1e6)
 set xlabel "time, ns per ray"
 set ylabel "wrong rays per million"
-set xtics ("300" 300, "500" 500, "1000" 1000, "2000" 2000, "4000" 4000)
-set xrange [*:*] noextend
+set xtics ("100" 100, "200" 200, "300" 300, "500" 500, "1000" 1000, "2000" 2000, "4000" 4000)
+stats file using 3 nooutput
+set xrange [STATS_min / 1.25:STATS_max * 1.25]
 set grid xtics ytics
 set arrow 1 from graph 0, first 0.6 to graph 1, first 0.6 nohead lc rgb "#bbbbbb" dt 2
 label(setting) = strstrt(setting, "starts=") ? setting_text(setting, "starts") : \
