@@ -7,6 +7,7 @@ cannot tell, all chapters count as changed.
 """
 
 import json
+import os
 import re
 import subprocess
 import sys
@@ -56,15 +57,19 @@ def chapters_of(paths, tags, every):
     return sorted(found & set(every))
 
 
-def main(arguments):
+def changed_chapters(base=None):
+    """The numbers of the chapters whose files changed since a commit; all when git cannot tell."""
     every = [name[:2] for name in all_chapters()]
-    paths = changed_files(arguments[0] if arguments else guess_base())
+    paths = changed_files(base or os.environ.get("CAUSTIC_BASE") or guess_base())
     if paths is None:
-        print(" ".join(every))
-        return
+        return every
     files = json.loads((build_dir() / "declarations.json").read_text())["files"]
     tags = {name: entry["chapter"] for name, entry in files.items() if entry["topic"] != "support"}
-    print(" ".join(chapters_of(paths, tags, every)))
+    return chapters_of(paths, tags, every)
+
+
+def main(arguments):
+    print(" ".join(changed_chapters(arguments[0] if arguments else None)))
 
 
 if __name__ == "__main__":

@@ -2,14 +2,19 @@
 
 At report quality (the default) they go to figures/, as drafts to build/figures/. A figure is drawn again only when its
 inputs changed: sources, assets, seed, quality. Both the provenance.json beside the figures says.
+
+A chapter is drawn as soon as it is built, while others still wait to be. Where its committed figures are up to date, that is a
+draft: what this machine makes of it. build/figures/index.html shows all figures.
 """
 
 import shutil
+import webbrowser
 
 from course_lib import cmake, provenance
-from course_lib.chapters import add_chapters_argument, choose_chapters
+from course_lib.chapters import add_chapters_argument, all_chapters, choose_chapters
 from course_lib.compare import Tolerances, compare_pictures, compare_tables
 from course_lib.errors import CourseError
+from course_lib.gallery import write_page
 from course_lib.packages import ensure_packages
 from course_lib.paths import BUILD, DRAFT_FIGURES, FIGURES, declarations, program, shown
 from course_lib.process import output_of, run_visibly
@@ -26,6 +31,7 @@ def add_arguments(parser):
                         help="draft (minutes, to build/figures/) or report (the default, to figures/)")
     parser.add_argument("--only", action="append", default=[], metavar="FIG", help="this figure only; may be given again")
     parser.add_argument("--force", action="store_true", help="draw what is up to date as well")
+    parser.add_argument("--open", action="store_true", help="show the page of all figures in your browser")
     parser.add_argument("--threads", type=int, metavar="N", help="threads; pictures don't depend on it")
     parser.add_argument("--seed", type=int, default=1, metavar="S", help="seed of all random numbers (default: 1)")
     parser.add_argument("--check", action="store_true",
@@ -38,14 +44,30 @@ def run(args):
         raise CourseError("--full belongs to --check; run ./course figures --check --full")
     chapters = choose_chapters(args.chapters)
     ensure_packages("build")
-    cmake.build(targets=[*chapters, "preview"], title="build the chapters")
-    tables = {chapter: table_of_contents(chapter) for chapter in chapters}
-    require_known(args.only, tables)
-    if args.check:
-        return check(tables, args)
-    for chapter, table in tables.items():
-        draw_chapter(chapter, table, args)
+    if args.check or args.only:
+        cmake.build(targets=[*chapters, "preview"], title="build the chapters")
+        tables = {chapter: table_of_contents(chapter) for chapter in chapters}
+        require_known(args.only, tables)
+        if args.check:
+            return check(tables, args)
+    for chapter in chapters:
+        cmake.build(targets=[chapter], title=f"build {chapter}")
+        draw_chapter(chapter, table_of_contents(chapter), args)
+        page = write_page(all_chapters(), is_current)
+        if chapter == chapters[0] and len(chapters) > 1:
+            say(f"The first figures are on {shown(page)}; it grows")
+    cmake.build(targets=["preview"], title="build the viewer of --preview")
+    say(f"All figures: {shown(page)}")
+    if args.open:
+        webbrowser.open(page.as_uri())
     return 0
+
+
+def is_current(chapter):
+    """Whether all committed figures of a chapter are what its sources make."""
+    current, folder = CurrentInputs.of(chapter, declarations()), FIGURES / chapter
+    entries = provenance.read(folder)
+    return bool(entries) and not any(provenance.stale_reasons(entry, current, folder) for entry in entries.values())
 
 
 def table_of_contents(chapter):
@@ -66,22 +88,30 @@ def chosen(table, only):
 
 
 def draw_chapter(chapter, table, args):
-    """Draws what is stale of a chapter's figures."""
-    out = FIGURES if args.quality == "report" else DRAFT_FIGURES
-    folder = out / chapter
+    """Draws what is stale of a chapter's figures; where nothing is at report quality, a draft of them."""
     names = chosen(table, args.only)
+    if draw_stale(chapter, table, names, args.quality, args) or args.quality == "draft":
+        return
+    draw_stale(chapter, table, names, "draft", args)
+
+
+def draw_stale(chapter, table, names, quality, args):
+    """Draws what is stale of these figures and returns its names."""
+    out = FIGURES if quality == "report" else DRAFT_FIGURES
+    folder = out / chapter
     for file in provenance.prune(folder, table):
         say(f"{chapter}: {file} belongs to no figure any more and is removed")
     current = CurrentInputs.of(chapter, declarations())
     entries = provenance.read(folder)
-    wanted = Wanted(args.quality, args.seed)
+    wanted = Wanted(quality, args.seed)
     stale = [name for name in names
              if args.force or provenance.stale_reasons(entries.get(name), current, folder, wanted)]
     if stale:
         say(f"{chapter}: drawing {len(stale)} of {count(len(names), 'figure')} to {shown(folder)}/")
-        run_chapter(chapter, out, stale, args.quality, args.seed, args.threads)
+        run_chapter(chapter, out, stale, quality, args.seed, args.threads)
     else:
-        say(f"{chapter}: {count(len(names), 'figure')} up to date in {shown(folder)}/")
+        say(f"{chapter}: {count(len(names), 'figure')} up to date in {shown(folder)}/ (--force draws them again)")
+    return stale
 
 
 def run_chapter(chapter, out, names, quality, seed, threads=None):

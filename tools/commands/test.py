@@ -1,12 +1,15 @@
 """Builds and runs the tests: all, or the C++ tests of some chapters.
 
 Parts: the build, each header by itself, who includes whom, the C++ tests by kind, the tests of the course's tools.
---full adds the sanitizers, a debug build, line coverage by the chapters, all mutants, and the tests labelled large.
+What passed is not run again until one of its inputs changes (build/green.json; --again runs it all the same).
+--full adds a queue of heavy checks: the sanitizers, a debug build, clang-tidy, all mutants, the tests labelled large, a build
+without precompiled headers, line coverage by the chapters. One that was stopped is gone on with by the next --full.
 """
 
 import sys
 import time
 
+from changed_chapters import changed_chapters
 from course_lib import cmake
 from course_lib.chapters import add_chapters_argument, choose_chapters
 from course_lib.checks import inputs_of
@@ -17,7 +20,7 @@ from course_lib.green import Memory
 from course_lib.packages import ensure_packages
 from course_lib.paths import ROOT, build_dir, declarations
 from course_lib.process import run as run_program
-from course_lib.process import run_visibly
+from course_lib.queue import Queue, full_checks
 from course_lib.terminal import count, format_duration, say, table
 
 HELP = "build and run the tests"
@@ -28,22 +31,36 @@ FULL_PRESETS = ("sanitize", "thread", "debug")
 
 def add_arguments(parser):
     add_chapters_argument(parser)
-    parser.add_argument("--full", action="store_true", help="sanitizers, coverage, all mutants and large tests as well")
+    parser.add_argument("--full", action="store_true", help="the queue of heavy checks as well")
+    parser.add_argument("--changed", action="store_true",
+                        help="with --full: chapters whose files changed lately come first (tools/changed_chapters.py)")
+    parser.add_argument("--patience", type=float, metavar="S", help="with --full: begin no heavy check after S seconds")
+    parser.add_argument("--limit", type=float, metavar="S", help="with --full: stop a heavy check that still runs after S seconds")
+    parser.add_argument("--large", action="store_true", help="the large tests, and nothing else")
+    parser.add_argument("--coverage", action="store_true", help="line coverage by the chapters, and nothing else")
     parser.add_argument("--again", action="store_true", help="run also what passed and has not changed since")
     parser.add_argument("--preset", choices=("release", *FULL_PRESETS), default="release",
                         help="run the C++ tests as another preset builds them, and nothing else")
 
 
 def run(args):
+    for option in ("changed", "patience", "limit"):
+        if getattr(args, option) and not args.full:
+            raise CourseError(f"--{option} belongs to --full; run ./course test --full --{option}")
     chapters = choose_chapters(args.chapters)
     parts = Parts(args.again)
-    ensure_packages("full" if args.full else "test")
+    ensure_packages("full" if args.full or args.coverage else "test")
     if args.preset != "release":
         run_preset(parts, args.preset, chapters)
+    elif args.large:
+        parts.step("build the large tests", lambda: cmake.build(targets=test_programs(chapters, (LARGE,))) and None)
+        parts.tests("large tests", "release", of_chapters(numbers(chapters), LARGE))
+    elif args.coverage:
+        parts.step("coverage by the chapters", chapter_coverage)
     else:
         run_release(parts, chapters, everything=not args.chapters)
         if args.full:
-            run_full(parts, chapters, everything=not args.chapters)
+            run_full(parts, chapters, args)
     return parts.report()
 
 
@@ -55,7 +72,7 @@ class Parts:
         self._memory = memory or Memory()
         self._rows = []
         self._failures = []
-        self._start = time.monotonic()
+        self.start = time.monotonic()
 
     def add(self, title, passed, failed, seconds, note=""):
         self._rows.append((title, passed, len(failed), seconds, note))
@@ -95,7 +112,7 @@ class Parts:
                 for title, passed, failed, seconds, note in self._rows]
         passed = sum(row[1] for row in self._rows)
         failed = sum(row[2] for row in self._rows)
-        rows.append(("total", passed, failed, format_duration(time.monotonic() - self._start), ""))
+        rows.append(("total", passed, failed, format_duration(time.monotonic() - self.start), ""))
         say("\n" + table(rows, head=["part", "passed", "failed", "time", ""], right=(1, 2, 3)))
         say(f"\n{passed} passed, {failed} failed")
         return 1 if failed or not passed else 0
@@ -155,9 +172,9 @@ def check_partition(selections):
     return f"{len(every)} ctest entries"
 
 
-def test_programs(chapters):
+def test_programs(chapters, kinds=KINDS):
     """The targets of the chapters' C++ tests: one a kind that has sources."""
-    return [f"{kind}_{chapter[:2]}" for chapter in chapters for kind in KINDS
+    return [f"{kind}_{chapter[:2]}" for chapter in chapters for kind in kinds
             if any((ROOT / "tests" / chapter).glob(f"{kind}_*.cpp"))]
 
 
@@ -167,17 +184,12 @@ def run_preset(parts, preset, chapters):
     parts.tests(f"{preset}: C++ tests", preset, of_chapters(numbers(chapters), *KINDS))
 
 
-def run_full(parts, chapters, everything):
-    for preset in FULL_PRESETS:
-        run_preset(parts, preset, chapters)
-    large = of_chapters(numbers(chapters), LARGE)
-    if test_names("release", large):
-        parts.tests("large tests", "release", large)
-    parts.step("mutants", lambda: run_mutants(chapters))
-    if everything:
-        parts.step("coverage by the chapters", chapter_coverage)
-
-
-def run_mutants(chapters):
-    if run_visibly([ROOT / "course", "mutants", *numbers(chapters)]) != 0:
-        raise CourseError("a mistake got through; ./course mutants says which")
+def run_full(parts, chapters, args):
+    order = numbers(chapters)
+    if args.changed:
+        changed = changed_chapters()
+        say(f"chapters with changed files: {' '.join(changed) or 'none'}")
+        order = [number for number in order if number in changed] + [number for number in order if number not in changed]
+    large = {program[-2:] for program in test_programs(chapters, (LARGE,))}
+    queue = Queue(parts, Memory(), args.again, args.patience, args.limit, parts.start)
+    queue.run(full_checks(order, large, everything=not args.chapters))
