@@ -1,6 +1,6 @@
 #pragma once
 
-#include "figure/figure.h"
+#include "figure/failures.h"
 
 /// The chapter's figures, each drawn by one function; main.cpp is their table of contents.
 namespace caustic {
@@ -29,6 +29,9 @@ void chartSpeedAccuracy(FigureContext& context);
 
 /// Error of the length against evaluations and time, chords and Gauss–Legendre: length.csv and .png.
 void chartLength(FigureContext& context);
+
+/// What failure.csv counts: all methods on all kinds of cases, each case made at random.
+std::vector<FailureRow> failureRows(const FailureTrials& trials);
 
 /// Where each method breaks, counted over random cases: failure.csv and .png.
 void chartFailures(FigureContext& context);

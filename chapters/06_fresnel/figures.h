@@ -1,6 +1,6 @@
 #pragma once
 
-#include "figure/figure.h"
+#include "figure/failures.h"
 
 /// The chapter's figures, each drawn by one function; main.cpp is their table of contents.
 namespace caustic {
@@ -20,6 +20,9 @@ void drawRoughnessSheet(FigureContext& context);
 /// Schlick's formula beside the exact one, visible normals beside others: time against error: speed_accuracy.csv and
 /// .png.
 void chartSpeedAccuracy(FigureContext& context);
+
+/// What failure.csv counts: all methods on all kinds of cases, each case made at random.
+std::vector<FailureRow> failureRows(const FailureTrials& trials);
 
 /// Where each method breaks, counted: failure.csv and .png.
 void chartFailures(FigureContext& context);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "figure/figure.h"
+#include "figure/failures.h"
 #include "measures/runs.h"
 
 /// The chapter's figures, each drawn by one function; main.cpp is their table of contents.
@@ -20,6 +20,9 @@ void chartSpeedAccuracy(ChapterRuns& runs, FigureContext& context);
 
 /// Error over samples in the same scenes: convergence.csv and .png.
 void chartConvergence(ChapterRuns& runs, FigureContext& context);
+
+/// What failure.csv counts: all methods on all kinds of cases, each case made at random.
+std::vector<FailureRow> failureRows(const FailureTrials& trials);
 
 /// Where each method breaks, counted: failure.csv and .png.
 void chartFailures(FigureContext& context);

@@ -27,9 +27,16 @@ std::filesystem::path FigureContext::asset(const std::string& path) {
 }
 
 void FigureContext::chart(const std::string& script, const std::string& png) {
+    draw(inputs_->sourceDir / "chapters" / inputs_->name / script, png, "");
+}
+
+void FigureContext::sharedChart(const std::string& script, const std::string& png, const std::string& settings) {
+    draw(inputs_->sourceDir / "common/figure" / script, png, settings);
+}
+
+void FigureContext::draw(const std::filesystem::path& script, const std::string& png, const std::string& settings) {
     const std::filesystem::path style = inputs_->sourceDir / "common/figure/style.gp";
-    const std::filesystem::path source = inputs_->sourceDir / "chapters" / inputs_->name / script;
-    drawChart({style, source}, options_->out / inputs_->name, output(png));
+    drawChart({style, script}, options_->out / inputs_->name, output(png), settings);
 }
 
 }  // namespace caustic

@@ -50,6 +50,10 @@ public:
     /// script finds the folder of the CSV files in the variable `folder`.
     void chart(const std::string& script, const std::string& png);
 
+    /// The same with a script of this topic's folder, for charts that chapters share.
+    /// @param settings  gnuplot commands that come first
+    void sharedChart(const std::string& script, const std::string& png, const std::string& settings = "");
+
     /// How much work to do.
     Quality quality() const { return options_->quality; }
     /// One of two values, by quality.
@@ -70,6 +74,8 @@ public:
     const std::vector<std::string>& assets() const { return assets_; }
 
 private:
+    void draw(const std::filesystem::path& script, const std::string& png, const std::string& settings);
+
     const ChapterInputs* inputs_;
     const ChapterOptions* options_;
     Progress* progress_;

@@ -1,32 +1,26 @@
 #include "figure/gnuplot.h"
 
-#include <string>
-
 #include "core/atomic_file.h"
 #include "core/error.h"
 #include "core/process.h"
 
 namespace caustic {
 
-namespace {
-
-// A gnuplot string in single quotes, where a quote is written twice.
-std::string quoted(const std::filesystem::path& path) {
-    std::string text = "'";
-    for (const char c : path.string()) {
-        if (c == '\'') text += '\'';
-        text += c;
+std::string gnuplotString(const std::string& text) {
+    std::string quoted = "'";
+    for (const char c : text) {
+        if (c == '\'') quoted += '\'';  // between single quotes, a quote is written twice
+        quoted += c;
     }
-    return text + "'";
+    return quoted + "'";
 }
 
-}  // namespace
-
 void drawChart(const std::vector<std::filesystem::path>& scripts, const std::filesystem::path& folder,
-               const std::filesystem::path& png) {
+               const std::filesystem::path& png, const std::string& settings) {
     writeAtomically(png, [&](const std::filesystem::path& temporary) {
-        std::vector<std::string> command = {"gnuplot", "-e",
-                                            "folder=" + quoted(folder) + "; output=" + quoted(temporary)};
+        std::vector<std::string> command = {
+            "gnuplot", "-e",
+            "folder=" + gnuplotString(folder) + "; output=" + gnuplotString(temporary) + "; " + settings};
         for (const auto& script : scripts) command.push_back(script.string());
         const auto result = runProcess(command);
         if (!result)

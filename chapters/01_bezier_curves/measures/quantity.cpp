@@ -2,11 +2,10 @@
 #include <cmath>
 #include <map>
 
-#include "core/progress.h"
 #include "curve/arc_length.h"
 #include "curve/curve_bounds.h"
 #include "example_curves.h"
-#include "figure/csv_table.h"
+#include "figure/quantities.h"
 #include "figures.h"
 #include "length_methods.h"
 #include "measures/evaluation_error.h"
@@ -96,7 +95,6 @@ void addEvaluation(CsvTable& table, FigureContext& context) {
         for (const int degree : {7, 15, 30, 60}) {
             errors[method.name][degree] = worstErrorInUlp(method, degree, {}, context.seed(), context.threads());
         }
-        context.progress().advance();
     }
     const auto growth = [&](const std::string& method) {
         Points points;
@@ -147,18 +145,16 @@ void addBoxes(CsvTable& table, std::uint64_t seed) {
 }  // namespace
 
 void tabulateQuantities(FigureContext& context) {
-    context.progress().expect(4);
-    CsvTable table({"method", "case", "value", "unit", "reference"});
     const BezierCurve arch = archCurve();
     const BezierCurve cusp = cuspidalCubic(0.375, 3, 0);
-    addLengths(table, "smooth arch", arch, referenceLength(arch.controlPoints()));
-    addLengths(table, "cusp", cusp, referenceLength(cusp.controlPoints(), {0.375}));
-    addPlainRule(table, arch, cusp);
-    addSpacing(table);
-    addBoxes(table, context.seed());
-    addDrift(table, context.seed());
-    addEvaluation(table, context);
-    table.save(context.output("quantity.csv"));
+    writeQuantities(
+        {[&](CsvTable& table) { addLengths(table, "smooth arch", arch, referenceLength(arch.controlPoints())); },
+         [&](CsvTable& table) { addLengths(table, "cusp", cusp, referenceLength(cusp.controlPoints(), {0.375})); },
+         [&](CsvTable& table) { addPlainRule(table, arch, cusp); }, addSpacing,
+         [&](CsvTable& table) { addBoxes(table, context.seed()); },
+         [&](CsvTable& table) { addDrift(table, context.seed()); },
+         [&](CsvTable& table) { addEvaluation(table, context); }},
+        context);
 }
 
 }  // namespace caustic

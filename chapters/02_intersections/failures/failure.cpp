@@ -8,7 +8,7 @@
 #include "core/text.h"
 #include "failures/leaks.h"
 #include "failures/slab_cases.h"
-#include "figure/csv_table.h"
+#include "figure/failures.h"
 #include "figures.h"
 #include "leaving.h"
 #include "math/frame.h"
@@ -24,31 +24,34 @@ namespace {
 
 constexpr std::array<double, 4> scales = {1e-3, 1, 1e3, 1e6};
 
-void addRow(CsvTable& table, const std::string& method, const std::string& name, const FailureCount& count) {
-    table.addRow(method, name, count.failures, count.trials);
+using Rows = std::vector<FailureRow>;
+
+void addRow(Rows& rows, const TriedMethod& method, const std::string& name, const FailureCount& count) {
+    rows.push_back({method.name, name, count.failures, count.trials, method.robust});
 }
 
-void addLeaks(CsvTable& table, FigureContext& context) {
+void addLeaks(Rows& rows, FigureContext& context) {
     const std::int64_t rays = context.byQuality(200'000, 10'000'000);
     for (const TriangleMethod& method : triangleMethods()) {
         for (const auto& [aim, name] : {std::pair(Aim::Edges, "closed mesh: rays at edges"),
                                         std::pair(Aim::Vertices, "closed mesh: rays at vertices")}) {
-            addRow(table, method.name, name, countLeaks(method, aim, rays, context.seed(), context.threads()));
+            addRow(rows, {method.name, method.robust}, name,
+                   countLeaks(method, aim, rays, context.seed(), context.threads()));
             context.progress().advance();
         }
     }
 }
 
-void addSlivers(CsvTable& table, FigureContext& context) {
+void addSlivers(Rows& rows, FigureContext& context) {
     const int rays = context.byQuality(20'000, 200'000);
     for (const TriangleMethod& method : triangleMethods()) {
-        addRow(table, method.name, "sliver 1e-4 wide and 2 long: self-hits",
+        addRow(rows, {method.name, method.robust}, "sliver 1e-4 wide and 2 long: self-hits",
                countSliverSelfHits(method, 1e-4, rays, context.seed()));
     }
     context.progress().advance();
 }
 
-void addSlabs(CsvTable& table, FigureContext& context) {
+void addSlabs(Rows& rows, FigureContext& context) {
     const std::vector<SlabCase> cases = slabCases(20, context.seed());
     for (const char* const place : {"outside", "inside", "a face", "an edge", "a corner"}) {
         FailureCount naive;
@@ -59,8 +62,8 @@ void addSlabs(CsvTable& table, FigureContext& context) {
             ours += {slabInterval(one.box, one.ray).empty() == one.meets ? 1 : 0, 1};
         }
         const std::string name = std::string("box: direction of 0s and 1s from ") + place;
-        addRow(table, "naive slabs", name, naive);
-        addRow(table, "slabs", name, ours);
+        addRow(rows, {"naive slabs"}, name, naive);
+        addRow(rows, {"slabs", true}, name, ours);
     }
     context.progress().advance();
 }
@@ -88,30 +91,29 @@ FailureCount countWrongSilhouettes(const Method& method, double distance, std::u
     return count;
 }
 
-void addSpheres(CsvTable& table, FigureContext& context) {
+void addSpheres(Rows& rows, FigureContext& context) {
     const std::string name = "sphere 10000 radii away: silhouette (float)";
     const std::uint64_t seed = context.seed();
-    addRow(table, "textbook quadratic", name, countWrongSilhouettes<float>(textbookQuadratic<float>, 1e4, seed));
-    addRow(table, "projection by Pythagoras", name,
+    addRow(rows, {"textbook quadratic"}, name, countWrongSilhouettes<float>(textbookQuadratic<float>, 1e4, seed));
+    addRow(rows, {"projection by Pythagoras"}, name,
            countWrongSilhouettes<float>(pythagorasProjection<float>, 1e4, seed));
-    addRow(table, "stable quadratic", name, countWrongSilhouettes<float>(stableQuadratic<float>, 1e4, seed));
-    addRow(table, "projection", name, countWrongSilhouettes<float>(ballInterval<float, 3>, 1e4, seed));
+    addRow(rows, {"stable quadratic", true}, name, countWrongSilhouettes<float>(stableQuadratic<float>, 1e4, seed));
+    addRow(rows, {"projection", true}, name, countWrongSilhouettes<float>(ballInterval<float, 3>, 1e4, seed));
     context.progress().advance();
 }
 
 template <typename Scalar>
-void addContactScenes(CsvTable& table, const std::string& method, const Offset<Scalar>& offset,
-                      FigureContext& context) {
+void addContactScenes(Rows& rows, const TriedMethod& method, const Offset<Scalar>& offset, FigureContext& context) {
     const int rays = context.byQuality(20'000, 200'000);
     for (const double scale : scales) {
         const ContactFailures count = contactFailures<Scalar>(scale, offset, rays, context.seed());
-        addRow(table, method, "ball over a floor: self-hits at scale " + formatReal(scale), count.selfHits);
-        addRow(table, method, "ball over a floor: lost contacts at scale " + formatReal(scale), count.lostContacts);
+        addRow(rows, method, "ball over a floor: self-hits at scale " + formatReal(scale), count.selfHits);
+        addRow(rows, method, "ball over a floor: lost contacts at scale " + formatReal(scale), count.lostContacts);
     }
     context.progress().advance();
 }
 
-void addCatalogue(CsvTable& table, const std::string& method, const LeavingRule& rule, FigureContext& context) {
+void addCatalogue(Rows& rows, const TriedMethod& method, const LeavingRule& rule, FigureContext& context) {
     const int rays = context.byQuality(1'000, 10'000);
     for (const double scale : scales) {
         const Transform place =
@@ -122,10 +124,10 @@ void addCatalogue(CsvTable& table, const std::string& method, const LeavingRule&
             selfHits += countSelfHits(*entry.shape, entry.closed, entry.convex, rule, place.point(Vec3::Zero()),
                                       1.5 * scale, rays, context.seed());
         }
-        addRow(table, method, "every shape: self-hits at scale " + formatReal(scale), selfHits);
-        addRow(table, method, "every shape: lost contacts at scale " + formatReal(scale),
+        addRow(rows, method, "every shape: self-hits at scale " + formatReal(scale), selfHits);
+        addRow(rows, method, "every shape: lost contacts at scale " + formatReal(scale),
                countLostContacts(place, 1.0 / 2000, rule, 2 * rays, context.seed()));
-        addRow(table, method, "plate: lost far sides at scale " + formatReal(scale),
+        addRow(rows, method, "plate: lost far sides at scale " + formatReal(scale),
                countLostFarSides(place, 1.0 / 2000, rule, 2 * rays, context.seed()));
     }
     context.progress().advance();
@@ -150,22 +152,21 @@ FailureCount countWrongNormals(bool likeDirections, std::uint64_t seed) {
 
 void chartFailures(FigureContext& context) {
     context.progress().expect(18);
-    CsvTable table({"method", "case", "failures", "trials"});
-    addLeaks(table, context);
-    addSlivers(table, context);
-    addSlabs(table, context);
-    addSpheres(table, context);
-    addContactScenes<float>(table, "fixed 1e-4 (float)", {1e-4F, 0}, context);
-    addContactScenes<double>(table, "fixed 1e-4", {1e-4, 0}, context);
-    addContactScenes<double>(table, "fixed 1e-10", {1e-10, 0}, context);
-    addContactScenes<double>(table, "relative", {0, surfaceOffset}, context);
-    addCatalogue(table, "fixed 1e-4", fixedRule(1e-4), context);
-    addCatalogue(table, "relative", relativeRule(), context);
-    addRow(table, "like directions", "uneven instance: normals", countWrongNormals(true, context.seed()));
-    addRow(table, "inverse transpose", "uneven instance: normals", countWrongNormals(false, context.seed()));
+    Rows rows;
+    addLeaks(rows, context);
+    addSlivers(rows, context);
+    addSlabs(rows, context);
+    addSpheres(rows, context);
+    addContactScenes<float>(rows, {"fixed 1e-4 (float)"}, {1e-4F, 0}, context);
+    addContactScenes<double>(rows, {"fixed 1e-4"}, {1e-4, 0}, context);
+    addContactScenes<double>(rows, {"fixed 1e-10"}, {1e-10, 0}, context);
+    addContactScenes<double>(rows, {"relative", true}, {0, surfaceOffset}, context);
+    addCatalogue(rows, {"fixed 1e-4"}, fixedRule(1e-4), context);
+    addCatalogue(rows, {"relative", true}, relativeRule(), context);
+    addRow(rows, {"like directions"}, "uneven instance: normals", countWrongNormals(true, context.seed()));
+    addRow(rows, {"inverse transpose", true}, "uneven instance: normals", countWrongNormals(false, context.seed()));
     context.progress().advance();
-    table.save(context.output("failure.csv"));
-    context.chart("failures/failure.gp", "failure.png");
+    markFailures(rows, context);
 }
 
 }  // namespace caustic

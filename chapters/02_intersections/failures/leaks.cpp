@@ -91,8 +91,8 @@ std::int64_t countHitsBy(const std::vector<Ray>& rays, const std::vector<Vec3>& 
 }
 
 template <typename Method>
-TriangleMethod methodOf(const std::string& name) {
-    return {name, hitsBy<Method>, countHitsBy<Method>};
+TriangleMethod methodOf(const std::string& name, bool robust = false) {
+    return {name, robust, hitsBy<Method>, countHitsBy<Method>};
 }
 
 bool hitsAny(const TriangleMethod& method, const Ray& ray, const ClosedMesh& mesh, std::span<const int> triangles) {
@@ -128,7 +128,7 @@ bool vertexLeaks(const TriangleMethod& method, const ClosedMesh& mesh, Random& r
 }  // namespace
 
 std::vector<TriangleMethod> triangleMethods() {
-    return {methodOf<ByCramer>("Cramer's rule"), methodOf<Watertight>("watertight"),
+    return {methodOf<ByCramer>("Cramer's rule"), methodOf<Watertight>("watertight", true),
             methodOf<WatertightAsPublished<Rounded>>("watertight as published"),
             methodOf<WatertightAsPublished<Fused>>("watertight with fused products")};
 }

@@ -16,6 +16,7 @@ enum class Aim { Edges, Vertices };
 /// A way to test triangles, as charts and tables name it.
 struct TriangleMethod {
     std::string name;
+    bool robust;  ///< whether it is the course's own
     /// Whether the ray hits triangle abc.
     bool (*hits)(const Ray& ray, const Vec3& a, const Vec3& b, const Vec3& c);
     /// Tests every ray against every triangle (three corners each); the number of hits. What a timing calls: what a

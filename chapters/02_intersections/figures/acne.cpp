@@ -2,10 +2,10 @@
 #include <string>
 
 #include "contact_scene.h"
-#include "core/parallel.h"
 #include "core/progress.h"
 #include "figures.h"
 #include "image/drawing.h"
+#include "image/ray_view.h"
 #include "math/spawn.h"
 
 namespace caustic {
@@ -54,21 +54,14 @@ Image renderTile(double scale, const Offset<Scalar>& offset, int side, int sampl
     const Vector forward = (scene.touch() + size * Scalar(0.75) * scene.normal() - eye).normalized();
     const Vector right = forward.cross(scene.normal()).normalized();
     const Vector up = right.cross(forward);
-    Image image(side, side);
-    parallelFor(side, threads, [&](std::int64_t row) {
-        for (int column = 0; column < side; ++column) {
-            Color sum = Color::Zero();
-            for (int sample = 0; sample < samples * samples; ++sample) {
-                const double x = (column + (sample % samples + 0.5) / samples) / side - 0.5;
-                const double y = (static_cast<double>(row) + (sample / samples + 0.5) / samples) / side - 0.5;
-                const Vector direction =
-                    forward + static_cast<Scalar>(0.55 * x) * right - static_cast<Scalar>(0.55 * y) * up;
-                sum += shade<Scalar>(scene, offset, eye, direction);
-            }
-            image.set(column, static_cast<int>(row), sum / (samples * samples));
-        }
-    });
-    return image;
+    return supersampled(
+        side, side, samples,
+        [&](const Vec2& place) {
+            const Vector direction = forward + static_cast<Scalar>(0.55 * (place.x() - 0.5)) * right -
+                                     static_cast<Scalar>(0.55 * (place.y() - 0.5)) * up;
+            return shade<Scalar>(scene, offset, eye, direction);
+        },
+        threads);
 }
 
 Image renderTile(const Row& row, double scale, int side, int samples, int threads) {

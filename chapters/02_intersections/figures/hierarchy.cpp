@@ -95,7 +95,7 @@ void drawHierarchy(FigureContext& context) {
     context.progress().expect(2);
 
     Drawing drawing(2 * side + 20, side + top);
-    const auto show = [&](int column, const Shape& shape, const View& view, const HitColor& color,
+    const auto show = [&](int column, const Shape& shape, const RayView& view, const HitColor& color,
                           const std::string& title) {
         const Vec2 corner(column * (side + 20), top);
         const Image image = drawShape(shape, view, side, side, samples, color, context.threads());

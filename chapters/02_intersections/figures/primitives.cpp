@@ -47,7 +47,7 @@ void drawPrimitives(FigureContext& context) {
     constexpr int top = 60;
     const auto shapes = exhibits();
     const int samples = context.byQuality(3, 6);
-    const View view = {Vec3(3.2, 2.6, 5.2), Vec3::Zero(), Vec3::UnitY(), 3.1, false};
+    const RayView view = {Vec3(3.2, 2.6, 5.2), Vec3::Zero(), Vec3::UnitY(), 3.1, false};
     const int columns = static_cast<int>(shapes.size());
     Drawing drawing(left + columns * (tile + gap), top + 2 * (tile + gap));
     context.progress().expect(2 * columns);

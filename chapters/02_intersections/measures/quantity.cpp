@@ -5,8 +5,7 @@
 #include <utility>
 
 #include "contact_scene.h"
-#include "core/progress.h"
-#include "figure/csv_table.h"
+#include "figure/quantities.h"
 #include "figures.h"
 #include "leaving.h"
 #include "math/spawn.h"
@@ -57,7 +56,6 @@ void addFewestEpsilons(CsvTable& table, FigureContext& context) {
     const std::vector<CatalogueShape> catalogue = shapeCatalogue();
     constexpr double ours = surfaceOffset / std::numeric_limits<Real>::epsilon();
     for (std::size_t i = 0; i < catalogue.size(); ++i) {
-        context.progress().advance();
         if (!catalogue[i].closed && !catalogue[i].convex) continue;  // a group may be hit again, by rights
         const double fewest = fewestEpsilons(i, raysPerCase, context.seed());
         table.addRow("relative", "smallest offset without self-hits: " + catalogue[i].name, fewest,
@@ -94,7 +92,6 @@ void addFixedDistances(CsvTable& table, const std::string& precision, FigureCont
         table.addRow("fixed, " + precision, std::string("ball over a floor: ") + end + " distance that works at size 1",
                      distance, "radii of the ball", reference);
     }
-    context.progress().advance();
 }
 
 void addSmallestGap(CsvTable& table, FigureContext& context) {
@@ -104,7 +101,6 @@ void addSmallestGap(CsvTable& table, FigureContext& context) {
     });
     table.addRow("relative", "every shape: smallest gap that is kept", gap, "sizes of the shapes",
                  "found by halving 1/2000; the rule's offset is " + formatReal(surfaceOffset));
-    context.progress().advance();
 }
 
 // How many digits of t a decade of distance costs: slope of log error over log distance, least squares.
@@ -123,22 +119,19 @@ void addDigitsLost(CsvTable& table, const std::string& precision, int lastExpone
         table.addRow(method.name + ", " + precision, "sphere 10 to 1e" + std::to_string(lastExponent) + " radii away",
                      products / squares, "digits of t lost per decade of distance", "113-bit");
     }
-    context.progress().advance();
 }
 
 }  // namespace
 
 void tabulateQuantities(FigureContext& context) {
-    context.progress().expect(static_cast<std::int64_t>(shapeCatalogue().size()) + 5);
-    CsvTable table({"method", "case", "value", "unit", "reference"});
-    // In float the fragile methods lose every hit from 10⁴ radii on: no slope there.
-    addDigitsLost<float>(table, "float", 3, context);
-    addDigitsLost<double>(table, "double", 7, context);
-    addFixedDistances<float>(table, "float", context);
-    addFixedDistances<double>(table, "double", context);
-    addSmallestGap(table, context);
-    addFewestEpsilons(table, context);
-    table.save(context.output("quantity.csv"));
+    const auto part = [&context](auto* add) { return [add, &context](CsvTable& table) { add(table, context); }; };
+    writeQuantities({// In float the fragile methods lose every hit from 10⁴ radii on: no slope there.
+                     [&](CsvTable& table) { addDigitsLost<float>(table, "float", 3, context); },
+                     [&](CsvTable& table) { addDigitsLost<double>(table, "double", 7, context); },
+                     [&](CsvTable& table) { addFixedDistances<float>(table, "float", context); },
+                     [&](CsvTable& table) { addFixedDistances<double>(table, "double", context); },
+                     part(addSmallestGap), part(addFewestEpsilons)},
+                    context);
 }
 
 }  // namespace caustic

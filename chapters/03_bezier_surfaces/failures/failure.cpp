@@ -1,6 +1,6 @@
 #include "core/progress.h"
 #include "failures/root_examination.h"
-#include "figure/csv_table.h"
+#include "figure/failures.h"
 #include "figures.h"
 
 namespace caustic {
@@ -10,10 +10,11 @@ void chartFailures(FigureContext& context) {
     const auto patchSets = patchSetNames();
     context.progress().expect(static_cast<std::int64_t>(revolutionSets.size() + patchSets.size()));
     const std::int64_t rays = context.byQuality<std::int64_t>(1'600, 16'000);
-    CsvTable table({"method", "case", "failures", "trials"});
+    std::vector<FailureRow> rows;
     const auto add = [&](const std::string& name, const RootExamination& count) {
         for (const NearestCount& method : count.nearest) {
-            if (method.trials > 0) table.addRow(method.method, name, method.failures, method.trials);
+            if (method.trials > 0)
+                rows.push_back({method.method, name, method.failures, method.trials, method.method == "robust"});
         }
         context.progress().advance();
     };
@@ -23,8 +24,7 @@ void chartFailures(FigureContext& context) {
     for (std::size_t set = 0; set < patchSets.size(); ++set) {
         add("patch: " + patchSets[set], examinePatches(set, rays / 4, context.seed(), context.threads()));
     }
-    table.save(context.output("failure.csv"));
-    context.chart("failures/failure.gp", "failure.png");
+    markFailures(rows, context);
 }
 
 }  // namespace caustic

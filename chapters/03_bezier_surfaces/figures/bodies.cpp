@@ -5,8 +5,9 @@
 #include "core/progress.h"
 #include "curve/profile_file.h"
 #include "figures.h"
-#include "figures/ray_picture.h"
+#include "figures/lit_color.h"
 #include "image/drawing.h"
+#include "image/ray_view.h"
 #include "revolution_cases.h"
 #include "surface/surface_of_revolution.h"
 
@@ -50,9 +51,9 @@ void drawBodies(FigureContext& context) {
     for (const Body& body : all) {
         const Bounds3 box = body.surface.bounds();
         const Real size = box.diagonal().norm();
-        const Eye eye = {box.center() + size * Vec3(0, 0.9, 2.4), box.center(), Vec3::UnitY(), 0.95 * size};
-        const Image image = pictureOf(
-            eye, tile, tile, samples,
+        const RayView view = {box.center() + size * Vec3(0, 0.9, 2.4), box.center(), Vec3::UnitY(), 0.95 * size};
+        const Image image = supersampled(
+            view, tile, tile, samples,
             [&](const Ray& ray) {
                 const auto hit = body.surface.intersect(ray);
                 return hit ? litColor(*hit, -ray.direction, Vec3::UnitY(), body.color) : paperColor();

@@ -37,7 +37,7 @@ namespace {
 struct Row {
     std::string name;
     BezierCurve profile;
-    Eye eye;
+    RayView view;
     int pieces;  // between which the bracketing start is sought
 };
 
@@ -88,8 +88,8 @@ void drawConvergence(FigureContext& context) {
         for (std::size_t column = 0; column < titles.size(); ++column) {
             const bool bracketing = column == 2;
             std::array<std::atomic<std::int64_t>, 4> counts = {};
-            const Image image = pictureOf(
-                row.eye, side, side, 1,
+            const Image image = supersampled(
+                row.view, side, side, 1,
                 [&](const Ray& ray) {
                     const Outcome outcome =
                         outcomeOf(row.profile, curve, ray, bracketing, starts[bracketing ? 0 : column]);

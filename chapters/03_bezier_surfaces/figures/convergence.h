@@ -1,6 +1,6 @@
 #pragma once
 
-#include "figures/ray_picture.h"
+#include "image/ray_view.h"
 #include "surface/newton_revolution.h"
 
 namespace caustic {

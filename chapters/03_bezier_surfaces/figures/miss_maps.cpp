@@ -7,9 +7,10 @@
 #include "core/progress.h"
 #include "curve/profile_file.h"
 #include "figures.h"
-#include "figures/ray_picture.h"
+#include "figures/lit_color.h"
 #include "image/color_space.h"
 #include "image/drawing.h"
+#include "image/ray_view.h"
 #include "revolution_reference.h"
 #include "surface/newton_revolution.h"
 #include "surface/surface_of_revolution.h"
@@ -42,7 +43,7 @@ void drawMissMaps(FigureContext& context) {
     const SurfaceOfRevolution surface(loadProfile(context.asset("assets/profiles/wine_glass.svg").string()));
     const Bounds3 box = surface.bounds();
     const Real size = box.diagonal().norm();
-    const Eye eye = {box.center() + size * Vec3(0, 0.8, 2.2), box.center(), Vec3::UnitY(), 1.02 * size};
+    const RayView view = {box.center() + size * Vec3(0, 0.8, 2.2), box.center(), Vec3::UnitY(), 1.02 * size};
     const std::array<std::string, 5> titles = {"one random start", "4 × 4 starts", "bracketing, 4", "bracketing, 8",
                                                "robust"};
     const std::array<NewtonRevolution, 4> newton = {
@@ -55,8 +56,8 @@ void drawMissMaps(FigureContext& context) {
     Drawing drawing(gap + static_cast<int>(titles.size()) * (width + gap), top + height + gap);
     for (std::size_t column = 0; column < titles.size(); ++column) {
         const bool robust = column == newton.size();
-        const Image image = pictureOf(
-            eye, width / scale, height / scale, 1,
+        const Image image = supersampled(
+            view, width / scale, height / scale, 1,
             [&](const Ray& ray) -> Color {
                 const auto hit = surface.intersect(ray);
                 const Color there =

@@ -3,8 +3,9 @@
 #include <algorithm>
 
 #include "curve/profile_file.h"
-#include "figures/ray_picture.h"
+#include "figures/lit_color.h"
 #include "image/image_file.h"
+#include "image/ray_view.h"
 #include "surface/surface_of_revolution.h"
 
 namespace caustic {
@@ -13,14 +14,14 @@ void drawProfile(const std::string& file, const ChapterOptions& options) {
     const SurfaceOfRevolution surface(loadProfile(file));
     const Bounds3 box = surface.bounds();
     const Real size = box.diagonal().norm();
-    Eye eye;
-    eye.target = box.center();
-    eye.place = box.center() + size * Vec3(0, 0.75, 2.2);
-    eye.height = 1.1 * size;
+    RayView view;
+    view.target = box.center();
+    view.eye = box.center() + size * Vec3(0, 0.75, 2.2);
+    view.height = 1.1 * size;
     const bool report = options.quality == Quality::Report;
     const int side = report ? 900 : 450;
-    const Image picture = pictureOf(
-        eye, side, side, report ? 4 : 2,
+    const Image picture = supersampled(
+        view, side, side, report ? 4 : 2,
         [&](const Ray& ray) {
             const auto hit = surface.intersect(ray);
             return hit ? litColor(*hit, -ray.direction, Vec3::UnitY(), Color(0.16, 0.42, 0.7)) : paperColor();

@@ -6,9 +6,10 @@
 
 #include "core/progress.h"
 #include "figures.h"
-#include "figures/ray_picture.h"
+#include "figures/lit_color.h"
 #include "image/color_space.h"
 #include "image/drawing.h"
+#include "image/ray_view.h"
 #include "patch_file.h"
 #include "shape/group.h"
 #include "shape/instance.h"
@@ -46,13 +47,13 @@ void drawTeapot(FigureContext& context) {
     constexpr int height = 560;
     const auto patches = loadPatches(context.asset("assets/teapot/teapot.txt"));
     const Group group = groupOf(patches);
-    const Eye eye = {Vec3(-4, -11, 6.2), Vec3(0.2, 0, 1.45), Vec3::UnitZ(), 4.7};
+    const RayView view = {Vec3(-4, -11, 6.2), Vec3(0.2, 0, 1.45), Vec3::UnitZ(), 4.7};
     const int samples = context.byQuality(1, 4);
     context.progress().expect(2);
     Drawing drawing(2 * width + 12, height + 50);
     for (const bool byPart : {true, false}) {
-        const Image image = pictureOf(
-            eye, width, height, samples,
+        const Image image = supersampled(
+            view, width, height, samples,
             [&](const Ray& ray) -> Color {
                 const auto hit = group.intersect(ray);
                 if (!hit) return paperColor();

@@ -7,10 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "core/parallel.h"
-#include "core/progress.h"
 #include "failures/fragile_methods.h"
-#include "figure/csv_table.h"
+#include "figure/failures.h"
 #include "figures.h"
 #include "mesh/kd_mesh_tree.h"
 #include "mesh/polygon.h"
@@ -26,6 +24,7 @@ using Intersect = std::function<std::optional<MeshHit>(const Ray&)>;
 struct TreeMethod {
     std::string name;
     Intersect intersect;
+    bool robust = false;
 };
 
 // Every method on one mesh, the fragile ones first.
@@ -41,7 +40,7 @@ std::vector<TreeMethod> treeMethods(const std::shared_ptr<const MeshData>& mesh)
     for (const MeshTreeKind kind :
          {MeshTreeKind::MedianKdTree, MeshTreeKind::SahKdTree, MeshTreeKind::WideKdTree, MeshTreeKind::WideBvh}) {
         const std::shared_ptr<const MeshTree> tree = plantMeshTree(kind, mesh);
-        methods.push_back({name(kind), [tree](const Ray& ray) { return tree->intersect(ray); }});
+        methods.push_back({name(kind), [tree](const Ray& ray) { return tree->intersect(ray); }, true});
     }
     return methods;
 }
@@ -52,31 +51,21 @@ bool agree(const std::optional<MeshHit>& found, const std::optional<MeshHit>& tr
     return !found || found->triangle == truth->triangle || found->t == truth->t;
 }
 
-void addMeshSet(CsvTable& table, const MeshSet& set, FigureContext& context) {
-    Random maker(context.seed(), {0});
+FailureKind raysAt(const MeshSet& set, std::uint64_t seed) {
+    Random maker(seed, {0});
     const auto mesh = std::make_shared<const MeshData>(set.make(maker, 300));
-    const Bounds3 box = boundsOf(*mesh);
-    const BruteForceMesh brute(mesh);
+    FailureKind kind = {"triangles: " + set.name, {}, nullptr};
     const std::vector<TreeMethod> methods = treeMethods(mesh);
-    const std::int64_t rays = context.byQuality(5'000, 100'000);
-    constexpr std::int64_t batch = 1000;
-    std::vector<std::vector<std::int64_t>> failures(methods.size(), std::vector<std::int64_t>(rays / batch, 0));
-    parallelFor(rays / batch, context.threads(), [&](std::int64_t part) {
-        for (std::int64_t i = part * batch; i < (part + 1) * batch; ++i) {
-            Random random(context.seed(), {1, static_cast<std::uint64_t>(i)});
-            const Ray ray = randomRayAt(*mesh, box, random);
-            const auto truth = brute.intersect(ray);
-            for (std::size_t k = 0; k < methods.size(); ++k) {
-                if (!agree(methods[k].intersect(ray), truth)) ++failures[k][static_cast<std::size_t>(part)];
-            }
-        }
-    });
-    for (std::size_t k = 0; k < methods.size(); ++k) {
-        std::int64_t sum = 0;
-        for (const std::int64_t count : failures[k]) sum += count;
-        table.addRow(methods[k].name, "triangles: " + set.name, sum, rays);
-    }
-    context.progress().advance();
+    for (const TreeMethod& method : methods) kind.methods.push_back({method.name, method.robust});
+    kind.right = [mesh, methods, box = boundsOf(*mesh),
+                  brute = std::make_shared<BruteForceMesh>(mesh)](Random& random) {
+        const Ray ray = randomRayAt(*mesh, box, random);
+        const auto truth = brute->intersect(ray);
+        std::vector<bool> right;
+        for (const TreeMethod& method : methods) right.push_back(agree(method.intersect(ray), truth));
+        return right;
+    };
+    return kind;
 }
 
 // A star-shaped polygon with concave corners, in a plane of any direction.
@@ -105,70 +94,53 @@ bool covers(const std::vector<Vec3>& corners, const Triangles& triangles) {
     return std::abs(sum - whole.norm()) <= 1e-9 * whole.norm();
 }
 
-void addPolygons(CsvTable& table, FigureContext& context) {
-    constexpr int trials = 10'000;
-    int fans = 0;
-    int ears = 0;
-    for (int i = 0; i < trials; ++i) {
-        Random random(context.seed(), {2, static_cast<std::uint64_t>(i)});
-        const std::vector<Vec3> corners = concavePolygon(random);
-        std::vector<std::array<std::uint32_t, 3>> fan;
-        for (std::uint32_t k = 2; k < corners.size(); ++k) fan.push_back({0, k - 1, k});
-        fans += covers(corners, fan) ? 0 : 1;
-        ears += covers(corners, triangulated(corners)) ? 0 : 1;
-    }
-    table.addRow("fan around the first corner", "concave polygons", fans, trials);
-    table.addRow("ears", "concave polygons", ears, trials);
-    context.progress().advance();
+std::vector<bool> cutsPolygons(Random& random) {
+    const std::vector<Vec3> corners = concavePolygon(random);
+    std::vector<std::array<std::uint32_t, 3>> fan;
+    for (std::uint32_t k = 2; k < corners.size(); ++k) fan.push_back({0, k - 1, k});
+    return {covers(corners, fan), covers(corners, triangulated(corners))};
 }
 
 // A box whose faces are cut along one diagonal or the other: by symmetry the normal at a corner is along the three
 // faces' sum, whichever diagonals were taken.
-void addCorners(CsvTable& table, FigureContext& context) {
-    constexpr int trials = 10'000;
-    std::array<int, 3> failures = {0, 0, 0};
-    for (int i = 0; i < trials; ++i) {
-        Random random(context.seed(), {3, static_cast<std::uint64_t>(i)});
-        MeshData mesh;
-        const Vec3 size(random.uniform(0.5, 2), random.uniform(0.5, 2), random.uniform(0.5, 2));
-        for (int k = 0; k < 8; ++k) {
-            mesh.positions.push_back(Vec3(k & 1 ? 1 : 0, k & 2 ? 1 : 0, k & 4 ? 1 : 0).cwiseProduct(size));
-        }
-        constexpr std::array<std::array<std::uint32_t, 4>, 6> faces = {
-            {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}};
-        for (const auto& [a, b, c, d] : faces) {
-            if (random.below(2) == 0) {
-                mesh.triangles.insert(mesh.triangles.end(), {{a, b, c}, {a, c, d}});
-            } else {
-                mesh.triangles.insert(mesh.triangles.end(), {{a, b, d}, {b, c, d}});
-            }
-        }
-        const auto corner = static_cast<std::size_t>(random.below(8));
-        Vec3 truth;
-        for (int axis = 0; axis < 3; ++axis) truth[axis] = (corner >> axis & 1) == 1 ? 1 : -1;
-        constexpr std::array weights = {NormalWeight::Mean, NormalWeight::Area, NormalWeight::Angle};
-        for (std::size_t k = 0; k < weights.size(); ++k) {
-            const Vec3 normal = vertexNormals(mesh, weights[k])[corner];
-            failures[k] += (normal - truth.normalized()).norm() > 1e-9 ? 1 : 0;
+std::vector<bool> findsCornerNormals(Random& random) {
+    MeshData mesh;
+    const Vec3 size(random.uniform(0.5, 2), random.uniform(0.5, 2), random.uniform(0.5, 2));
+    for (int k = 0; k < 8; ++k) {
+        mesh.positions.push_back(Vec3(k & 1 ? 1 : 0, k & 2 ? 1 : 0, k & 4 ? 1 : 0).cwiseProduct(size));
+    }
+    constexpr std::array<std::array<std::uint32_t, 4>, 6> faces = {
+        {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}};
+    for (const auto& [a, b, c, d] : faces) {
+        if (random.below(2) == 0) {
+            mesh.triangles.insert(mesh.triangles.end(), {{a, b, c}, {a, c, d}});
+        } else {
+            mesh.triangles.insert(mesh.triangles.end(), {{a, b, d}, {b, c, d}});
         }
     }
-    table.addRow("normals: mean", "corner of a box", failures[0], trials);
-    table.addRow("normals: by area", "corner of a box", failures[1], trials);
-    table.addRow("normals: by angle", "corner of a box", failures[2], trials);
-    context.progress().advance();
+    const auto corner = static_cast<std::size_t>(random.below(8));
+    Vec3 truth;
+    for (int axis = 0; axis < 3; ++axis) truth[axis] = (corner >> axis & 1) == 1 ? 1 : -1;
+    std::vector<bool> right;
+    for (const NormalWeight weight : {NormalWeight::Mean, NormalWeight::Area, NormalWeight::Angle})
+        right.push_back((vertexNormals(mesh, weight)[corner] - truth.normalized()).norm() <= 1e-9);
+    return right;
 }
 
 }  // namespace
 
 void chartFailures(FigureContext& context) {
-    const std::vector<MeshSet> sets = meshSets();
-    context.progress().expect(static_cast<std::int64_t>(sets.size()) + 2);
-    CsvTable table({"method", "case", "failures", "trials"});
-    for (const MeshSet& set : sets) addMeshSet(table, set, context);
-    addPolygons(table, context);
-    addCorners(table, context);
-    table.save(context.output("failure.csv"));
-    context.chart("failures/failure.gp", "failure.png");
+    std::vector<FailureKind> kinds;
+    for (const MeshSet& set : meshSets()) kinds.push_back(raysAt(set, context.seed()));
+    std::vector<FailureRow> rows = countFailures(kinds, FailureTrials::of(context, context.byQuality(5'000, 100'000)));
+    const std::vector<FailureRow> more =
+        countFailures({{"concave polygons", {{"fan around the first corner"}, {"ears", true}}, cutsPolygons},
+                       {"corner of a box",
+                        {{"normals: mean"}, {"normals: by area"}, {"normals: by angle", true}},
+                        findsCornerNormals}},
+                      FailureTrials::of(context, 10'000));
+    rows.insert(rows.end(), more.begin(), more.end());
+    markFailures(rows, context);
 }
 
 }  // namespace caustic

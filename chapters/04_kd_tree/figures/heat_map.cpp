@@ -51,7 +51,7 @@ void drawHeatMap(FigureContext& context) {
     const auto mesh = std::make_shared<const MeshData>(loadMesh(context.asset("assets/meshes/dragon.ply")));
     constexpr std::array kinds = {MeshTreeKind::MedianKdTree, MeshTreeKind::SahKdTree, MeshTreeKind::WideKdTree,
                                   MeshTreeKind::WideBvh};
-    MeshView view = viewOf(boundsOf(*mesh), Vec3(0.1, 0.25, 1));
+    RayView view = viewOf(boundsOf(*mesh), Vec3(0.1, 0.25, 1));
     view.height *= 1.2;
     Drawing drawing(4 * (tile + gap) + gap, top + tile + scaleHeight);
     context.progress().expect(4);

@@ -38,7 +38,7 @@ Vec3 diffuseDirection(const Vec3& normal, Random& random) {
 // Rays from the eye, from what they hit into a random direction, and from there to a lamp.
 std::array<RaySet, 3> raySets(const TriangleMesh& mesh, int side, std::uint64_t seed) {
     std::array<RaySet, 3> sets = {{{"primary", {}, false}, {"diffuse bounce", {}, false}, {"shadow", {}, true}}};
-    const MeshView view = viewOf(mesh.bounds(), Vec3(0.25, 0.3, 1));
+    const RayView view = viewOf(mesh.bounds(), Vec3(0.25, 0.3, 1));
     const Vec3 lamp = mesh.bounds().center() + 2 * mesh.bounds().diagonal().norm() * Vec3(-0.5, 0.8, 0.6).normalized();
     for (int i = 0; i < side * side; ++i) {
         const Ray ray = rayThrough(view, Vec2((i % side + 0.5) / side, (i / side + 0.5) / side), 1);

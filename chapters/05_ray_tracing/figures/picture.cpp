@@ -1,8 +1,7 @@
 #include "figures/picture.h"
 
 #include "camera/tent_filter.h"
-#include "image/tone_mapping.h"
-#include "integrator/render.h"
+#include "integrator/picture.h"
 #include "sampling/stratified_sampler.h"
 
 namespace caustic {
@@ -12,10 +11,7 @@ Image takePicture(const SceneDescription& description, const PictureSettings& se
     const StratifiedSampler sampler(context.seed(), settings.perAxis);
     const TentFilter filter;
     RayTracer tracer(scene, sampler, filter, settings.tracer);
-    const Rendering rendering =
-        render(tracer, {.passes = settings.perAxis * settings.perAxis, .threads = context.threads()});
-    requireFinite(rendering);
-    return toneMapped(rendering.film.image(), settings.exposure, settings.white);
+    return takePicture(tracer, settings.perAxis * settings.perAxis, settings.tone, context);
 }
 
 }  // namespace caustic

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "figure/figure.h"
-#include "image/image.h"
+#include "integrator/picture.h"
 #include "integrator/ray_tracer.h"
 
 namespace caustic {
@@ -10,8 +9,7 @@ namespace caustic {
 struct PictureSettings {
     int perAxis = 2;           ///< this squared is the number of paths a pixel
     RayTracerSettings tracer;  ///< how far and how fine
-    Real exposure = 1.7;       ///< before tone mapping
-    Real white = 4;            ///< what is shown as white
+    PictureTone tone = {.exposure = 1.7};
 };
 
 /// Renders a scene by recursive ray tracing and tone-maps it.

@@ -4,10 +4,10 @@
 #include <string>
 
 #include "camera/box_filter.h"
-#include "core/progress.h"
 #include "core/random.h"
-#include "figure/csv_table.h"
+#include "figure/quantities.h"
 #include "figures.h"
+#include "integrator/ray_count_rows.h"
 #include "integrator/ray_tracer.h"
 #include "integrator/render.h"
 #include "light/point_light.h"
@@ -80,6 +80,31 @@ Real fluxByRayTracing(const Scene& scene, int rings) {
     return flux;
 }
 
+void addShadowOfGlass(CsvTable& table, FigureContext& context) {
+    const Scene scene = causticScene();
+    const Real truth = fluxByEmission(scene, 400'000, context.seed());
+    const Real seen = fluxByRayTracing(scene, 20'000);
+    table.addRow("ray tracing", "light that a glass ball's shadow lacks", 100 * (truth - seen) / truth,
+                 "percent of the floor's light", "rays from the lamp, bent at the ball");
+    const Real blocked = pi * 2 * (1 - std::sqrt(1 - 1 / (2.8 * 2.8)));
+    table.addRow("closed form", "light that meets the ball", 100 * blocked / truth, "percent of the floor's light",
+                 "solid angle of the ball");
+}
+
+void addPanes(CsvTable& table) {
+    for (const Real reflectance : {0.04, 0.5, 0.9}) {
+        const Scene slab(slabScene(reflectance, 0));
+        const StratifiedSampler sampler(1, 1);
+        const BoxFilter filter;
+        const RayTracer tracer(slab, sampler, filter, {.maxDepth = 1000, .leastWeight = 1e-9});
+        RayCounts counts;
+        const Real through = tracer.Li({Vec3(-1, 0, 0), Vec3::UnitX()}, {}, sampler.start(0, {0, 0}, 0), counts).x();
+        table.addRow("ray tracing",
+                     "pane that reflects " + formatReal(100 * reflectance) + " percent: light let through", through,
+                     "share", formatReal(slabTransmission(reflectance, 0)) + " = (1 - R) / (1 + R)");
+    }
+}
+
 void addCounts(CsvTable& table, FigureContext& context) {
     SceneDescription plain = emptyRoom();
     plain.objects.erase(plain.objects.begin());  // the checkered floor
@@ -93,48 +118,16 @@ void addCounts(CsvTable& table, FigureContext& context) {
         RayTracer tracer(scene, sampler, filter, {.maxDepth = 8, .shadowSamples = 4});
         const RayCounts counts = render(tracer, {.passes = 1, .threads = context.threads()}).counts;
         const std::string where = rich ? "box with mirror, glass and lamp: " : "diffuse room with a point light: ";
-        const Real pixels = 64 * 48;
-        const std::pair<const char*, std::int64_t> rows[] = {{"rays", counts.rays},
-                                                             {"shadow rays", counts.shadowRays},
-                                                             {"boundaries", counts.crossings},
-                                                             {"transmittances", counts.transmittances},
-                                                             {"texture look-ups", counts.textureLookups},
-                                                             {"lens samples", counts.lensSamples}};
-        for (const auto& [what, number] : rows)
-            table.addRow("ray tracing", where + what, static_cast<Real>(number) / pixels, "per path", "");
+        addRayCounts(table, "ray tracing", where, counts, 64 * 48);
     }
 }
 
 }  // namespace
 
 void tabulateQuantities(FigureContext& context) {
-    context.progress().expect(4);
-    CsvTable table({"method", "case", "value", "unit", "reference"});
-    const Scene scene = causticScene();
-    const Real truth = fluxByEmission(scene, 400'000, context.seed());
-    const Real seen = fluxByRayTracing(scene, 20'000);
-    table.addRow("ray tracing", "light that a glass ball's shadow lacks", 100 * (truth - seen) / truth,
-                 "percent of the floor's light", "rays from the lamp, bent at the ball");
-    context.progress().advance();
-    const Real blocked = pi * 2 * (1 - std::sqrt(1 - 1 / (2.8 * 2.8)));
-    table.addRow("closed form", "light that meets the ball", 100 * blocked / truth, "percent of the floor's light",
-                 "solid angle of the ball");
-    context.progress().advance();
-    for (const Real reflectance : {0.04, 0.5, 0.9}) {
-        const Scene slab(slabScene(reflectance, 0));
-        const StratifiedSampler sampler(1, 1);
-        const BoxFilter filter;
-        const RayTracer tracer(slab, sampler, filter, {.maxDepth = 1000, .leastWeight = 1e-9});
-        RayCounts counts;
-        const Real through = tracer.Li({Vec3(-1, 0, 0), Vec3::UnitX()}, {}, sampler.start(0, {0, 0}, 0), counts).x();
-        table.addRow("ray tracing",
-                     "pane that reflects " + formatReal(100 * reflectance) + " percent: light let through", through,
-                     "share", formatReal(slabTransmission(reflectance, 0)) + " = (1 - R) / (1 + R)");
-    }
-    context.progress().advance();
-    addCounts(table, context);
-    context.progress().advance();
-    table.save(context.output("quantity.csv"));
+    writeQuantities({[&](CsvTable& table) { addShadowOfGlass(table, context); }, addPanes,
+                     [&](CsvTable& table) { addCounts(table, context); }},
+                    context);
 }
 
 }  // namespace caustic

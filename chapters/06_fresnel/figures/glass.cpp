@@ -1,7 +1,7 @@
 #include "camera/tent_filter.h"
 #include "figures.h"
-#include "figures/picture.h"
 #include "image/image_file.h"
+#include "integrator/picture.h"
 #include "integrator/ray_tracer.h"
 #include "material/dielectric_material.h"
 #include "material/refraction_material.h"
@@ -18,7 +18,7 @@ void drawGlass(std::shared_ptr<const Material> glass, const std::string& png, Fi
     const StratifiedSampler sampler(context.seed(), perAxis);
     const TentFilter filter;
     RayTracer tracer(scene, sampler, filter, {.maxDepth = 14, .leastWeight = 4e-3, .shadowSamples = 2});
-    saveImage(context.output(png), takePicture(tracer, perAxis, context));
+    saveImage(context.output(png), takePicture(tracer, perAxis * perAxis, {.exposure = 1.3}, context));
 }
 
 }  // namespace

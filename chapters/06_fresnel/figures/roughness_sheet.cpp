@@ -2,8 +2,8 @@
 #include "core/text.h"
 #include "figures.h"
 #include "figures/glossy_tracer.h"
-#include "figures/picture.h"
 #include "image/tiles.h"
+#include "integrator/picture.h"
 #include "material/rough_conductor_material.h"
 #include "material/rough_dielectric_material.h"
 #include "sampling/stratified_sampler.h"
@@ -21,7 +21,7 @@ Tile ballTile(const std::string& caption, std::shared_ptr<const Material> materi
                 const StratifiedSampler sampler(context.seed(), perAxis);
                 const TentFilter filter;
                 GlossyTracer tracer(scene, sampler, filter, 12);
-                return takePicture(tracer, perAxis, context);
+                return takePicture(tracer, perAxis * perAxis, {.exposure = 1.3}, context);
             }};
 }
 

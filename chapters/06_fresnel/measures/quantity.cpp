@@ -4,9 +4,8 @@
 #include <string>
 
 #include "camera/box_filter.h"
-#include "core/progress.h"
 #include "core/text.h"
-#include "figure/csv_table.h"
+#include "figure/quantities.h"
 #include "figures.h"
 #include "furnace.h"
 #include "integrator/ray_tracer.h"
@@ -142,16 +141,15 @@ void addLimits(CsvTable& table) {
     }
 }
 
-void addVariances(CsvTable& table, FigureContext& context) {
+void addVariances(CsvTable& table, std::uint64_t seed) {
     for (const Real alpha : {0.1, 0.5, 1.0}) {
         for (const Real cosO : {0.9, 0.3, 0.1}) {
             const Furnace furnace(Metal::gold(), alpha, alpha, cosO);
             const Real truth = referenceAlbedo(cosO, Metal::gold().eta.y(), Metal::gold().k.y(), alpha);
             Real squares[2] = {0, 0};
             for (std::uint64_t round = 0; round < 20'000; ++round) {
-                const Real visible =
-                    furnace.estimate(DirectionChoice::VisibleNormals, 1, context.seed(), round) - truth;
-                const Real all = furnace.estimate(DirectionChoice::AllNormals, 1, context.seed(), round) - truth;
+                const Real visible = furnace.estimate(DirectionChoice::VisibleNormals, 1, seed, round) - truth;
+                const Real all = furnace.estimate(DirectionChoice::AllNormals, 1, seed, round) - truth;
                 squares[0] += visible * visible;
                 squares[1] += all * all;
             }
@@ -164,22 +162,9 @@ void addVariances(CsvTable& table, FigureContext& context) {
 }  // namespace
 
 void tabulateQuantities(FigureContext& context) {
-    context.progress().expect(6);
-    CsvTable table({"method", "case", "value", "unit", "reference"});
-    addAngles(table);
-    context.progress().advance();
-    addPanes(table);
-    context.progress().advance();
-    addSchlick(table);
-    addSchlickOfMetals(table);
-    context.progress().advance();
-    addLosses(table);
-    context.progress().advance();
-    addLimits(table);
-    context.progress().advance();
-    addVariances(table, context);
-    context.progress().advance();
-    table.save(context.output("quantity.csv"));
+    writeQuantities({addAngles, addPanes, addSchlick, addSchlickOfMetals, addLosses, addLimits,
+                     [&](CsvTable& table) { addVariances(table, context.seed()); }},
+                    context);
 }
 
 }  // namespace caustic

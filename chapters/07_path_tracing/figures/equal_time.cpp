@@ -9,6 +9,7 @@
 #include "image/picture_error.h"
 #include "image/tiles.h"
 #include "image/tone_mapping.h"
+#include "integrator/picture.h"
 #include "measures/measured_scenes.h"
 #include "modeler/caustic_scene.h"
 #include "modeler/peers_box.h"
@@ -42,7 +43,7 @@ void drawEqualTime(const EqualTimePicture& what, ChapterRuns& runs, FigureContex
     for (const Method method : allMethods) {
         const std::int64_t samples = work.samples(what.name, method, context.quality());
         const auto integrator = makeIntegrator(method, scene, sampler, filter, what.mostSegments);
-        const Image picture = runs.render(*integrator, samples, context).film.image();
+        const Image picture = renderImage(*integrator, samples, context, &context.progress());
         const Real error = rmse(picture, converged, leftOut);
         table.addRow(nameOf(method), what.name, samples, error, "radiance (rms)");
         tiles.push_back(shown(nameOf(method) + ": " + rounded(error), picture, what.exposure));

@@ -4,6 +4,7 @@
 
 #include "camera/box_filter.h"
 #include "core/parallel.h"
+#include "integrator/picture.h"
 #include "integrator/walk.h"
 #include "light/point_light.h"
 #include "modeler/caustic_scene.h"
@@ -88,12 +89,12 @@ Real meanOf(const Image& picture) {
 
 }  // namespace
 
-std::vector<MissingLight> missingLight(std::int64_t samples, ChapterRuns& runs, FigureContext& context) {
+std::vector<MissingLight> missingLight(std::int64_t samples, FigureContext& context) {
     const IndependentSampler sampler(context.seed());
     const BoxFilter filter;
     const auto light = [&](Method method, const Scene& scene, std::int64_t paths) {
         const auto integrator = makeIntegrator(method, scene, sampler, filter, mostSegments);
-        return meanOf(runs.render(*integrator, paths, context).film.image());
+        return meanOf(renderImage(*integrator, paths, context));
     };
     const Scene ball(underBall());
     const Real all = light(Method::Bidirectional, ball, samples) - lampImage(ball, sampler, samples, context.threads());

@@ -1,9 +1,10 @@
 #pragma once
 
-#include <string>
+#include <cstdint>
 #include <vector>
 
-#include "measures/runs.h"
+#include "figure/figure.h"
+#include "methods.h"
 
 namespace caustic {
 
@@ -18,6 +19,6 @@ struct MissingLight {
 /// picture has a small ball in the lamp's place, of the same intensity, which paths do hit; the ball's own image, which
 /// no method shows of a point, is left out.
 /// @param samples  paths a pixel of the converged picture; the methods take a quarter of it each
-std::vector<MissingLight> missingLight(std::int64_t samples, ChapterRuns& runs, FigureContext& context);
+std::vector<MissingLight> missingLight(std::int64_t samples, FigureContext& context);
 
 }  // namespace caustic

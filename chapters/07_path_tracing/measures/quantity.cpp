@@ -1,11 +1,10 @@
 #include <string>
-#include <utility>
 
 #include "camera/box_filter.h"
-#include "core/progress.h"
-#include "figure/csv_table.h"
+#include "figure/quantities.h"
 #include "figures.h"
 #include "image/picture_error.h"
+#include "integrator/ray_count_rows.h"
 #include "measures/convergence_points.h"
 #include "measures/measured_scenes.h"
 #include "measures/missing_light.h"
@@ -49,14 +48,7 @@ void addCounts(CsvTable& table, FigureContext& context) {
         for (const Method method : {Method::Mis, Method::Light, Method::Bidirectional}) {
             const auto integrator = makeIntegrator(method, scene, sampler, filter, 10);
             const RayCounts counts = render(*integrator, {.passes = 4, .threads = context.threads()}).counts;
-            const std::pair<const char*, std::int64_t> rows[] = {{"rays", counts.rays},
-                                                                 {"shadow rays", counts.shadowRays},
-                                                                 {"boundaries", counts.crossings},
-                                                                 {"transmittances", counts.transmittances},
-                                                                 {"texture look-ups", counts.textureLookups},
-                                                                 {"lens samples", counts.lensSamples}};
-            for (const auto& [what, number] : rows)
-                table.addRow(nameOf(method), where + what, static_cast<Real>(number) / (4 * 32 * 32), "per path", "");
+            addRayCounts(table, nameOf(method), where, counts, 4 * 32 * 32);
         }
     }
 }
@@ -64,16 +56,21 @@ void addCounts(CsvTable& table, FigureContext& context) {
 }  // namespace
 
 void tabulateQuantities(ChapterRuns& runs, FigureContext& context) {
-    CsvTable table({"method", "case", "value", "unit", "reference"});
-    addSlopes(table, runs.convergence(context));
-    addReferenceErrors(table, context);
-    for (const MissingLight& one : missingLight(context.byQuality(64, 1024), runs, context))
-        table.addRow(nameOf(one.method), "point lamp: light that is missing of a caustic before a mirror", one.percent,
-                     "percent of the picture's light", "bidirectional path tracing, a small ball for the lamp");
-    addCounts(table, context);
-    table.addRow("all methods", "samples of convergence.png that are no finite numbers", static_cast<Real>(runs.bad()),
-                 "of " + std::to_string(runs.samples()), "0");
-    table.save(context.output("quantity.csv"));
+    writeQuantities({[&](CsvTable& table) { addSlopes(table, runs.convergence(context)); },
+                     [&](CsvTable& table) { addReferenceErrors(table, context); },
+                     [&](CsvTable& table) {
+                         for (const MissingLight& one : missingLight(context.byQuality(64, 1024), context))
+                             table.addRow(nameOf(one.method),
+                                          "point lamp: light that is missing of a caustic before a mirror", one.percent,
+                                          "percent of the picture's light",
+                                          "bidirectional path tracing, a small ball for the lamp");
+                     },
+                     [&](CsvTable& table) { addCounts(table, context); },
+                     [&](CsvTable& table) {
+                         table.addRow("all methods", "samples of convergence.png that are no finite numbers",
+                                      static_cast<Real>(runs.bad()), "of " + std::to_string(runs.samples()), "0");
+                     }},
+                    context);
 }
 
 }  // namespace caustic

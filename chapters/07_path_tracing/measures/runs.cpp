@@ -57,13 +57,6 @@ void measure(Run& run, const Image& reference, std::int64_t mostSamples, std::ui
 
 }  // namespace
 
-Rendering ChapterRuns::render(Integrator& integrator, std::int64_t samples, FigureContext& context) const {
-    Rendering rendering =
-        caustic::render(integrator, {.passes = samples, .threads = context.threads(), .progress = &context.progress()});
-    requireFinite(rendering);
-    return rendering;
-}
-
 const ConvergencePoints& ChapterRuns::convergence(FigureContext& context) {
     if (convergence_) return *convergence_;
     const auto& scenes = measuredScenes();

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "figure/figure.h"
-#include "integrator/render.h"
 #include "measures/convergence_points.h"
 #include "measures/work.h"
 
@@ -17,11 +16,6 @@ class ChapterRuns {
 public:
     /// @param sources  top of the repository, where the chapter's work counts are
     explicit ChapterRuns(std::filesystem::path sources) : sources_(std::move(sources)) {}
-
-    /// Renders a picture for a figure.
-    /// @param samples  paths a pixel, at least 1
-    /// @throws std::runtime_error when a sample was no finite number
-    Rendering render(Integrator& integrator, std::int64_t samples, FigureContext& context) const;
 
     /// Every method on every measured scene, errors as root mean squares over some repetitions; made once and kept.
     const ConvergencePoints& convergence(FigureContext& context);
