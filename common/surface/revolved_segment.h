@@ -52,9 +52,12 @@ public:
         std::array<RevolvedRoot, mostRoots> root;
         int count = 0;
 
-        /// Appends a root; beyond mostRoots it is dropped.
+        /// Puts a root behind those of lower or the same u; beyond mostRoots it is dropped.
         void add(Real u, Real distance) {
-            if (count < mostRoots) root[static_cast<std::size_t>(count++)] = {u, distance};
+            if (count >= mostRoots) return;
+            auto place = static_cast<std::size_t>(count++);
+            for (; place > 0 && root[place - 1].u > u; --place) root[place] = root[place - 1];
+            root[place] = {u, distance};
         }
         /// For range-based loops.
         const RevolvedRoot* begin() const { return root.data(); }
@@ -110,8 +113,6 @@ private:
     Real xLargest_;              // of |x|
     Real yLargest_;              // of |y - middle_|
     Real margin_;                // a millionth of the size: more than rounding can do
-    Real xBend_;                 // bounds of |x''| and |y''|
-    Real yBend_;
 };
 
 }  // namespace caustic

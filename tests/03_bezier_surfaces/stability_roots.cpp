@@ -1,6 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "expect_nothing_missed.h"
+#include "revolution_cases.h"
+#include "surface/revolved_segment.h"
 
 namespace caustic {
 namespace {
@@ -18,6 +22,27 @@ TEST(RevolutionRoots, RandomChordsLoseNothing) {
     for (std::size_t i = 1; i < count.nearest.size(); ++i) {
         EXPECT_GT(count.nearest[i].failures, 0) << count.nearest[i].method << " must fail somewhere.";
     }
+}
+
+// 2,000 random chords of each difficult surface and as many of each adversarial set, each against every segment.
+TEST(RevolutionRoots, ComeInTheOrderOfU) {
+    std::int64_t pairs = 0;
+    for (const NamedProfile& one : difficultProfiles()) {
+        const SurfaceOfRevolution surface(one.profile);
+        const std::vector<RevolvedSegment> segments(one.profile.begin(), one.profile.end());
+        for (const RaySet& set : revolutionRaySets()) {
+            for (std::uint64_t i = 0; i < 2000; ++i) {
+                Random random(seed, {i});
+                const AxisRay line(set.make(surface, random), 0);
+                for (const RevolvedSegment& segment : segments) {
+                    const RevolvedSegment::Roots roots = segment.roots(line);
+                    EXPECT_TRUE(std::ranges::is_sorted(roots, {}, &RevolvedRoot::u)) << one.name << ", " << set.name;
+                    pairs += std::max(0, roots.count - 1);
+                }
+            }
+        }
+    }
+    EXPECT_GT(pairs, 50'000) << "This would be a test of nothing.";
 }
 
 class AdversarialRevolution : public testing::TestWithParam<std::size_t> {};
