@@ -17,12 +17,12 @@ namespace {
 
 SceneObject objectOf(const std::string& material, const std::string& file) {
     if (material == "diffuse")
-        return {loadShape(file), std::make_shared<DiffuseMaterial>(Color(0.75, 0.6, 0.4)), {}, nullptr};
+        return {.shape = loadShape(file), .material = std::make_shared<DiffuseMaterial>(Color(0.75, 0.6, 0.4))};
     if (material == "mirror")
-        return {loadShape(file), std::make_shared<MirrorMaterial>(Color::Constant(0.92)), {}, nullptr};
+        return {.shape = loadShape(file), .material = std::make_shared<MirrorMaterial>(Color::Constant(0.92))};
     if (material != "glass") throw InputError({"--material", 0}, material, "must be glass, diffuse or mirror");
 
-    SceneObject glass = {loadShape(file), clearGlass(), {}, nullptr};
+    SceneObject glass = {.shape = loadShape(file), .material = clearGlass()};
     // Coloured as the report's bunny is, whatever the size of the mesh.
     const Real size = glass.shape->bounds().diagonal().norm() / 2;
     glass.interior = glassOf(Color(0.2, 0.75, 0.3).pow(1 / size));

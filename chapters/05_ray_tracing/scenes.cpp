@@ -18,8 +18,8 @@ namespace caustic {
 namespace {
 
 SceneObject wall(const Vec3& corner, const Vec3& edgeU, const Vec3& edgeV, const Color& reflectance) {
-    return {
-        std::make_shared<Rectangle>(corner, edgeU, edgeV), std::make_shared<DiffuseMaterial>(reflectance), {}, nullptr};
+    return {.shape = std::make_shared<Rectangle>(corner, edgeU, edgeV),
+            .material = std::make_shared<DiffuseMaterial>(reflectance)};
 }
 
 }  // namespace
@@ -37,10 +37,8 @@ SceneDescription emptyRoom() {
     const auto board = std::make_shared<CheckerTexture>(Color(0.75, 0.72, 0.66), Color(0.32, 0.3, 0.28), 0.1);
     SceneDescription room;
     room.objects = {
-        {std::make_shared<Rectangle>(Vec3(-2.5, 0, 7), Vec3(5, 0, 0), Vec3(0, 0, -9.5)),
-         std::make_shared<DiffuseMaterial>(board),
-         {},
-         nullptr},
+        {.shape = std::make_shared<Rectangle>(Vec3(-2.5, 0, 7), Vec3(5, 0, 0), Vec3(0, 0, -9.5)),
+         .material = std::make_shared<DiffuseMaterial>(board)},
         wall({-2.5, 4, -2.5}, {5, 0, 0}, {0, 0, 9.5}, white),
         wall({-2.5, 0, -2.5}, {5, 0, 0}, {0, 4, 0}, white),
         wall({2.5, 0, 7}, {-5, 0, 0}, {0, 4, 0}, white),
@@ -63,18 +61,17 @@ std::shared_ptr<const Camera> roomCamera(int width, int height) {
 }
 
 SceneObject ballOnFloor(std::shared_ptr<const Material> material) {
-    return {std::make_shared<Sphere>(Vec3(0, 1, 0.3), 1.0), std::move(material), {}, nullptr};
+    return {.shape = std::make_shared<Sphere>(Vec3(0, 1, 0.3), 1.0), .material = std::move(material)};
 }
 
 SceneDescription boxScene(int width, int height) {
     SceneDescription scene = emptyRoom();
     addLamp(scene);
-    scene.objects.push_back({std::make_shared<Sphere>(Vec3(-1.05, 0.95, -0.7), 0.95),
-                             std::make_shared<MirrorMaterial>(Color::Constant(0.92)),
-                             {},
-                             nullptr});
-    scene.objects.push_back({std::make_shared<Sphere>(Vec3(1.0, 0.85, 0.9), 0.85), clearGlass(),
-                             glassOf(Color(0.92, 0.97, 0.95)), nullptr});
+    scene.objects.push_back({.shape = std::make_shared<Sphere>(Vec3(-1.05, 0.95, -0.7), 0.95),
+                             .material = std::make_shared<MirrorMaterial>(Color::Constant(0.92))});
+    scene.objects.push_back({.shape = std::make_shared<Sphere>(Vec3(1.0, 0.85, 0.9), 0.85),
+                             .material = clearGlass(),
+                             .interior = glassOf(Color(0.92, 0.97, 0.95))});
     scene.camera = roomCamera(width, height);
     return scene;
 }
@@ -84,10 +81,8 @@ SceneDescription meshScene(const SceneObject& object, int width, int height) {
     const Real size = box.diagonal().norm() / 2;
     const Vec3 middle = box.center();
     const auto wall = [&](const Vec3& inSizes, const Vec3& normal, const Color& reflectance) {
-        return SceneObject{std::make_shared<Plane>(middle + size * inSizes, normal),
-                           std::make_shared<DiffuseMaterial>(reflectance),
-                           {},
-                           nullptr};
+        return SceneObject{.shape = std::make_shared<Plane>(middle + size * inSizes, normal),
+                           .material = std::make_shared<DiffuseMaterial>(reflectance)};
     };
     const Real floor = (box.min().y() - middle.y()) / size - 1e-3;
     SceneDescription scene;

@@ -37,11 +37,9 @@ SceneDescription softShadowScene() {
     lamp.shape = std::make_shared<Rectangle>(Vec3(-1, lampHeight, -1), Vec3(2, 0, 0), Vec3(0, 0, 2));
     lamp.emission = std::make_shared<ConstantTexture>(Color::Ones());
     const SceneObject plate = {
-        std::make_shared<Rectangle>(Vec3(-0.5, lampHeight / 2, -0.5), Vec3(1, 0, 0), Vec3(0, 0, 1)),
-        white,
-        {},
-        nullptr};
-    const SceneObject floor = {std::make_shared<Plane>(Vec3::Zero(), Vec3::UnitY()), white, {}, nullptr};
+        .shape = std::make_shared<Rectangle>(Vec3(-0.5, lampHeight / 2, -0.5), Vec3(1, 0, 0), Vec3(0, 0, 1)),
+        .material = white};
+    const SceneObject floor = {.shape = std::make_shared<Plane>(Vec3::Zero(), Vec3::UnitY()), .material = white};
     SceneDescription scene;
     scene.objects = {floor, plate, lamp};
     return scene;

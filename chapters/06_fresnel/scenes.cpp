@@ -22,10 +22,8 @@ const Interior glassInside = {1.5, nullptr, 0};
 // Squares of one unit on y = 0, around the origin.
 SceneObject checkeredFloor(Real size) {
     const auto board = std::make_shared<CheckerTexture>(Color(0.72, 0.7, 0.65), Color(0.2, 0.2, 0.22), 1 / size);
-    return {std::make_shared<Rectangle>(Vec3(-size / 2, 0, size / 2), Vec3(size, 0, 0), Vec3(0, 0, -size)),
-            std::make_shared<DiffuseMaterial>(board),
-            {},
-            nullptr};
+    return {.shape = std::make_shared<Rectangle>(Vec3(-size / 2, 0, size / 2), Vec3(size, 0, 0), Vec3(0, 0, -size)),
+            .material = std::make_shared<DiffuseMaterial>(board)};
 }
 
 }  // namespace
@@ -44,10 +42,14 @@ SceneDescription glassScene(std::shared_ptr<const Material> glass, int width, in
         diffuseRectangle({6, 0, -5}, {0, 0, 13}, {0, 7, 0}, Color(0.66, 0.33, 0.17)),
         rectangleLamp({-2.5, 6.9, -2}, {5, 0, 0}, {0, 0, 4}, Color(7, 6.8, 6.4)),
         rectangleLamp({-4.5, 1.5, 7.9}, {0, 4, 0}, {3, 0, 0}, Color(3, 3.1, 3.4)),
-        {std::make_shared<Instance>(block, turned({-2.3, 1e-3, 0.2}, 0.5)), glass, glassInside, nullptr},
-        {std::make_shared<Sphere>(Vec3(0, 1.101, -0.8), 1.1), glass, glassInside, nullptr},
-        {std::make_shared<Sphere>(bubble, 0.999), glass, glassInside, nullptr},
-        {std::make_shared<Sphere>(bubble, 0.93), std::move(glass), Interior{1, nullptr, 1}, nullptr},
+        {.shape = std::make_shared<Instance>(block, turned({-2.3, 1e-3, 0.2}, 0.5)),
+         .material = glass,
+         .interior = glassInside},
+        {.shape = std::make_shared<Sphere>(Vec3(0, 1.101, -0.8), 1.1), .material = glass, .interior = glassInside},
+        {.shape = std::make_shared<Sphere>(bubble, 0.999), .material = glass, .interior = glassInside},
+        {.shape = std::make_shared<Sphere>(bubble, 0.93),
+         .material = std::move(glass),
+         .interior = Interior{1, nullptr, 1}},
     };
     scene.ambient = Color(0.2, 0.2, 0.22);
     scene.camera =
@@ -61,7 +63,7 @@ SceneDescription ballScene(std::shared_ptr<const Material> material, bool glass,
         checkeredFloor(16),
         rectangleLamp({-4, 1.2, 4.2}, {1.6, 0, -3.2}, {0, 3.6, 0}, Color(4.2, 4.1, 3.9)),
         rectangleLamp({2.6, 0.8, -1.4}, {0.4, 0, 3}, {0, 3.4, 0}, Color(2.4, 2.5, 2.7)),
-        {std::make_shared<Sphere>(Vec3(0, 1.001, 0), 1.0), std::move(material), {}, nullptr},
+        {.shape = std::make_shared<Sphere>(Vec3(0, 1.001, 0), 1.0), .material = std::move(material)},
     };
     if (glass) scene.objects.back().interior = glassInside;
     scene.lights = {std::make_shared<ConstantEnvironment>(Color(0.5, 0.49, 0.47))};
@@ -72,9 +74,10 @@ SceneDescription ballScene(std::shared_ptr<const Material> material, bool glass,
 
 SceneDescription paneScene(std::shared_ptr<const Material> glass, Real ior) {
     SceneDescription scene;
-    scene.objects = {
-        {std::make_shared<Box>(Vec3(0, -9, -9), Vec3(1, 9, 9)), std::move(glass), Interior{ior, nullptr, 0}, nullptr},
-        rectangleLamp({3, -9, -9}, {0, 0, 18}, {0, 18, 0}, Color::Ones())};  // faces −x
+    scene.objects = {{.shape = std::make_shared<Box>(Vec3(0, -9, -9), Vec3(1, 9, 9)),
+                      .material = std::move(glass),
+                      .interior = Interior{ior, nullptr, 0}},
+                     rectangleLamp({3, -9, -9}, {0, 0, 18}, {0, 18, 0}, Color::Ones())};  // faces −x
     return scene;
 }
 

@@ -5,12 +5,6 @@
 
 namespace caustic {
 
-std::optional<BsdfSample> ConductorBsdf::localSample(const Vec3& wo, const Vec2&, Real, Real eta) const {
-    const DeltaLobes all = localDeltaLobes(wo, eta);
-    if (all.count == 0) return std::nullopt;
-    return all.lobe[0];
-}
-
 DeltaLobes ConductorBsdf::localDeltaLobes(const Vec3& wo, Real) const {
     DeltaLobes all;
     // Seen from behind ns, where only ng says that this is the front: no direction there is right.

@@ -6,15 +6,6 @@
 
 namespace caustic {
 
-std::optional<BsdfSample> DielectricBsdf::localSample(const Vec3& wo, const Vec2&, Real uLobe, Real eta) const {
-    Real upTo = 0;
-    for (const BsdfSample& one : localDeltaLobes(wo, eta)) {
-        upTo += one.pdfW;
-        if (uLobe < upTo) return one;
-    }
-    return std::nullopt;
-}
-
 DeltaLobes DielectricBsdf::localDeltaLobes(const Vec3& wo, Real eta) const {
     //! [ex-06.3]
     DeltaLobes all;

@@ -4,10 +4,6 @@
 
 namespace caustic {
 
-std::optional<BsdfSample> MirrorBsdf::localSample(const Vec3& wo, const Vec2&, Real, Real eta) const {
-    return localDeltaLobes(wo, eta).lobe[0];
-}
-
 DeltaLobes MirrorBsdf::localDeltaLobes(const Vec3& wo, Real) const {
     DeltaLobes all;
     all.add({reflected(wo, Vec3::UnitZ()), reflectance_, 1, 1, lobes()});

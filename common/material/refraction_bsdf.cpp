@@ -4,16 +4,6 @@
 
 namespace caustic {
 
-std::optional<BsdfSample> RefractionBsdf::localSample(const Vec3& wo, const Vec2&, Real uLobe, Real eta) const {
-    const DeltaLobes all = localDeltaLobes(wo, eta);
-    Real upTo = 0;
-    for (const BsdfSample& one : all) {
-        upTo += one.pdfW;
-        if (uLobe < upTo) return one;
-    }
-    return std::nullopt;
-}
-
 DeltaLobes RefractionBsdf::localDeltaLobes(const Vec3& wo, Real eta) const {
     constexpr LobeFlags reflection = LobeFlags::Delta | LobeFlags::Reflection;
     constexpr LobeFlags transmission = LobeFlags::Delta | LobeFlags::Transmission;

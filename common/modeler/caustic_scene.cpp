@@ -36,10 +36,9 @@ SceneDescription CausticScene::onFloor(int width) const {
 
 SceneDescription CausticScene::beforeMirror(int width, int height) const {
     SceneDescription scene = lampBallFloor(*this);
-    scene.objects.push_back({std::make_shared<Rectangle>(Vec3(-1.7, 1.1, 0.05), Vec3(2.9, 0, 0), Vec3(0, 0, 1.6)),
-                             std::make_shared<MirrorMaterial>(Color::Constant(0.9)),
-                             {},
-                             nullptr});
+    scene.objects.push_back(
+        {.shape = std::make_shared<Rectangle>(Vec3(-1.7, 1.1, 0.05), Vec3(2.9, 0, 0), Vec3(0, 0, 1.6)),
+         .material = std::make_shared<MirrorMaterial>(Color::Constant(0.9))});
     scene.camera = std::make_shared<PinholeCamera>(Vec3(0.4, -4.2, 2.2), Vec3(-0.35, 0.1, 0.62), Vec3::UnitZ(), 0.55,
                                                    width, height);
     return scene;

@@ -35,10 +35,8 @@ SceneDescription DiffuseBox::scene(int width, int height) const {
     for (const BoxWall& wall : diffuseWalls())
         scene.objects.push_back(diffuseRectangle(wall.corner, wall.edgeU, wall.edgeV, wall.reflectance));
     if (mirror) {
-        scene.objects.push_back({std::make_shared<Rectangle>(Vec3(-1, -1, -1), y, z),
-                                 std::make_shared<MirrorMaterial>(Color::Constant(mirrored)),
-                                 {},
-                                 nullptr});
+        scene.objects.push_back({.shape = std::make_shared<Rectangle>(Vec3(-1, -1, -1), y, z),
+                                 .material = std::make_shared<MirrorMaterial>(Color::Constant(mirrored))});
     }
     const BoxWall shining = lamp();
     scene.objects.push_back(rectangleLamp(shining.corner, shining.edgeU, shining.edgeV, Color::Constant(radiance)));

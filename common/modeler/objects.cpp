@@ -10,22 +10,24 @@
 namespace caustic {
 
 SceneObject diffuseRectangle(const Vec3& corner, const Vec3& edgeU, const Vec3& edgeV, const Color& reflectance) {
-    return {
-        std::make_shared<Rectangle>(corner, edgeU, edgeV), std::make_shared<DiffuseMaterial>(reflectance), {}, nullptr};
+    return {.shape = std::make_shared<Rectangle>(corner, edgeU, edgeV),
+            .material = std::make_shared<DiffuseMaterial>(reflectance)};
 }
 
 SceneObject rectangleLamp(const Vec3& corner, const Vec3& edgeU, const Vec3& edgeV, const Color& radiance) {
-    return {
-        std::make_shared<Rectangle>(corner, edgeU, edgeV), nullptr, {}, std::make_shared<ConstantTexture>(radiance)};
+    return {.shape = std::make_shared<Rectangle>(corner, edgeU, edgeV),
+            .emission = std::make_shared<ConstantTexture>(radiance)};
 }
 
 SceneObject mirrorBall(const Vec3& center, Real radius) {
-    return {std::make_shared<Sphere>(center, radius), std::make_shared<MirrorMaterial>(Color::Ones()), {}, nullptr};
+    return {.shape = std::make_shared<Sphere>(center, radius),
+            .material = std::make_shared<MirrorMaterial>(Color::Ones())};
 }
 
 SceneObject glassBall(const Vec3& center, Real radius, Real ior) {
-    return {std::make_shared<Sphere>(center, radius), std::make_shared<DielectricMaterial>(), Interior{ior, nullptr, 0},
-            nullptr};
+    return {.shape = std::make_shared<Sphere>(center, radius),
+            .material = std::make_shared<DielectricMaterial>(),
+            .interior = Interior{ior, nullptr, 0}};
 }
 
 }  // namespace caustic

@@ -24,10 +24,8 @@ namespace {
 constexpr Real pi = std::numbers::pi;
 
 SceneObject whiteFloor() {
-    return {std::make_shared<Plane>(Vec3::Zero(), Vec3::UnitY()),
-            std::make_shared<DiffuseMaterial>(Color::Ones()),
-            {},
-            nullptr};
+    return {.shape = std::make_shared<Plane>(Vec3::Zero(), Vec3::UnitY()),
+            .material = std::make_shared<DiffuseMaterial>(Color::Ones())};
 }
 
 // Between x = 0 and x = 1. Index 1.5; it reflects `reflectance` and lets the rest pass.
@@ -64,7 +62,7 @@ Real radiance(const Scene& scene, const Ray& ray, const RayTracerSettings& setti
 
 // Lambert: L = (ρ / π) I cos θ / d².
 TEST(DirectLight, PointLightFallsWithDistanceAndCosine) {
-    const Scene scene({{whiteFloor()}, {pointLight()}, Color::Zero(), nullptr});
+    const Scene scene({.objects = {whiteFloor()}, .lights = {pointLight()}});
     for (const Real x : {0.0, 1.0, 7.0}) {
         const Real distance = std::sqrt(4 + x * x);
         const Real seen = directAt(scene, {Vec3(x, 1, 0), -Vec3::UnitY()}, {}, 0);
@@ -74,18 +72,16 @@ TEST(DirectLight, PointLightFallsWithDistanceAndCosine) {
 }
 
 TEST(DirectLight, ShadowIsBlack) {
-    const SceneObject lid = {std::make_shared<Rectangle>(Vec3(-1, 1.5, -1), Vec3(2, 0, 0), Vec3(0, 0, 2)),
-                             std::make_shared<DiffuseMaterial>(Color::Ones()),
-                             {},
-                             nullptr};
-    const Scene scene({{whiteFloor(), lid}, {pointLight()}, Color::Zero(), nullptr});
+    const SceneObject lid = {.shape = std::make_shared<Rectangle>(Vec3(-1, 1.5, -1), Vec3(2, 0, 0), Vec3(0, 0, 2)),
+                             .material = std::make_shared<DiffuseMaterial>(Color::Ones())};
+    const Scene scene({.objects = {whiteFloor(), lid}, .lights = {pointLight()}});
     EXPECT_EQ(directAt(scene, {Vec3(0.2, 1, 0), -Vec3::UnitY()}, {}, 0), 0) << "Did you ask what is in the way?";
     EXPECT_GT(directAt(scene, {Vec3(6, 1, 0), -Vec3::UnitY()}, {}, 0), 0);
 }
 
 // In a furnace of radiance 1 a white plane sends out 1, however many points of the environment are asked.
 TEST(DirectLight, MoreSamplesMeanTheSameLight) {
-    const Scene scene({{whiteFloor()}, {std::make_shared<ConstantEnvironment>(Color::Ones())}, Color::Zero(), nullptr});
+    const Scene scene({.objects = {whiteFloor()}, .lights = {std::make_shared<ConstantEnvironment>(Color::Ones())}});
     for (const int samples : {1, 4, 64}) {
         Real sum = 0;
         const int n = 64'000 / samples;
@@ -103,7 +99,7 @@ TEST(DirectLight, IsAbsorbedOnItsWay) {
     fog.shape = std::make_shared<Box>(Vec3(-9, -1, -9), Vec3(9, 9, 9));
     fog.interior = Interior{1, std::make_shared<AbsorbingMedium>(Color::Constant(0.7)), 0};
     const auto lamp = std::make_shared<PointLight>(Vec3::UnitY(), Color::Constant(pi));
-    const Scene scene({{whiteFloor(), fog}, {lamp}, Color::Zero(), nullptr});
+    const Scene scene({.objects = {whiteFloor(), fog}, .lights = {lamp}});
     EXPECT_NEAR(directAt(scene, {Vec3(0, 0.5, 0), -Vec3::UnitY()}, {}, 0), std::exp(-0.7), 1e-10)
         << "What does the shadow ray pass through, from the point to the lamp?";
 }
@@ -114,7 +110,8 @@ TEST(Recursion, MirrorCorridorIsAGeometricSeries) {
     const auto light = std::make_shared<ConstantTexture>(Color::Ones());
     const auto left = std::make_shared<Rectangle>(Vec3(0, -1, -1), Vec3(0, 2, 0), Vec3(0, 0, 2));
     const auto right = std::make_shared<Rectangle>(Vec3(2, -1, -1), Vec3(0, 0, 2), Vec3(0, 2, 0));
-    const Scene scene({{{left, mirror, {}, light}, {right, mirror, {}, light}}, {}, Color::Zero(), nullptr});
+    const Scene scene({.objects = {{.shape = left, .material = mirror, .emission = light},
+                                   {.shape = right, .material = mirror, .emission = light}}});
     for (const int depth : {0, 1, 4}) {
         EXPECT_NEAR(radiance(scene, {Vec3(1, 0, 0), Vec3::UnitX()}, {.maxDepth = depth}), 2 - std::pow(0.5, depth),
                     1e-12)
@@ -127,7 +124,7 @@ TEST(Recursion, EveryLobeIsFollowed) {
     SceneObject lamp;
     lamp.shape = std::make_shared<Rectangle>(Vec3(3, -9, -9), Vec3(0, 0, 18), Vec3(0, 18, 0));
     lamp.emission = std::make_shared<ConstantTexture>(Color::Ones());
-    const Scene scene({{pane(0.5, 0), lamp}, {}, Color::Zero(), nullptr});
+    const Scene scene({.objects = {pane(0.5, 0), lamp}});
     EXPECT_NEAR(radiance(scene, {Vec3(-1, 0, 0), Vec3::UnitX()}, {.maxDepth = 100, .leastWeight = 1e-12}), 1.0 / 3,
                 1e-10)
         << "Does light go on both ways at a boundary, reflected and refracted?";
@@ -135,7 +132,7 @@ TEST(Recursion, EveryLobeIsFollowed) {
 
 // Through the pane: e^(−σ d); on the way before it, nothing is lost.
 TEST(Recursion, AbsorbsInsideTheGlass) {
-    const Scene scene({{pane(0, 0.8)}, {std::make_shared<ConstantEnvironment>(Color::Ones())}, Color::Zero(), nullptr});
+    const Scene scene({.objects = {pane(0, 0.8)}, .lights = {std::make_shared<ConstantEnvironment>(Color::Ones())}});
     EXPECT_NEAR(radiance(scene, {Vec3(-5, 0, 0), Vec3::UnitX()}, {}), std::exp(-0.8), 1e-12)
         << "On which side of the boundary is the medium, and does the way back count it?";
 }
@@ -145,7 +142,7 @@ TEST(Recursion, LightFromBeyondIsAbsorbedToo) {
     SceneObject fog;
     fog.shape = std::make_shared<Box>(Vec3(-2, -2, -2), Vec3(2, 2, 2));
     fog.interior = Interior{1, std::make_shared<AbsorbingMedium>(Color::Constant(0.5)), 0};
-    const Scene scene({{fog}, {std::make_shared<ConstantEnvironment>(Color::Ones())}, Color::Zero(), nullptr});
+    const Scene scene({.objects = {fog}, .lights = {std::make_shared<ConstantEnvironment>(Color::Ones())}});
     EXPECT_NEAR(radiance(scene, {Vec3::Zero(), Vec3::UnitX()}, {}), std::exp(-1), 1e-12)
         << "What passed on the way before the ray left the scene?";
 }

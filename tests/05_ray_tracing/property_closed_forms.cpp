@@ -42,7 +42,7 @@ std::shared_ptr<const Texture> shining(Real radiance) {
 }
 
 SceneObject floor(Real reflectance) {
-    return {std::make_shared<Plane>(Vec3::Zero(), Vec3::UnitY()), diffuse(reflectance), {}, nullptr};
+    return {.shape = std::make_shared<Plane>(Vec3::Zero(), Vec3::UnitY()), .material = diffuse(reflectance)};
 }
 
 // A pane between x = 0 and x = thickness.
@@ -65,7 +65,7 @@ Color radiance(const Scene& scene, const Ray& ray, const RayTracerSettings& sett
 // Lambert: E = I cos θ / d², L = ρ E / π.
 TEST(ClosedForm, PointLightOnAPlane) {
     const Color intensity(1, 2, 5);
-    const Scene scene({{floor(0.6)}, {std::make_shared<PointLight>(Vec3(0, 2, 0), intensity)}, Color::Zero(), nullptr});
+    const Scene scene({.objects = {floor(0.6)}, .lights = {std::make_shared<PointLight>(Vec3(0, 2, 0), intensity)}});
     for (const Real x : {0.0, 0.5, 3.0, 40.0}) {
         const Real squared = 4 + x * x;
         const Color expected = 0.6 / pi * intensity * 2 / (squared * std::sqrt(squared));
@@ -78,7 +78,7 @@ TEST(ClosedForm, PointLightOnAPlane) {
 TEST(ClosedForm, ConeLightOnAPlane) {
     const Real halfAngle = 0.4;
     const auto cone = std::make_shared<ConeLight>(Vec3(0, 2, 0), -Vec3::UnitY(), halfAngle, Color::Constant(3));
-    const Scene scene({{floor(1)}, {cone}, Color::Zero(), nullptr});
+    const Scene scene({.objects = {floor(1)}, .lights = {cone}});
     for (const Real angle : {0.0, 0.2, 0.39, 0.41, 1.0}) {
         const Real expected = angle < halfAngle ? 3 / pi * std::pow(std::cos(angle), 3) / 4 : 0;
         const Color seen = radiance(scene, {Vec3(2 * std::tan(angle), 1, 0), -Vec3::UnitY()});
@@ -91,7 +91,7 @@ TEST(ClosedForm, RectanglesFormFactor) {
     SceneObject lamp;
     lamp.shape = std::make_shared<Rectangle>(Vec3(-1, 1.5, -0.5), Vec3(2, 0, 0), Vec3(0, 0, 1));  // U × V = −y
     lamp.emission = shining(7);
-    const Scene scene({{floor(0.5), lamp}, {}, Color::Zero(), nullptr});
+    const Scene scene({.objects = {floor(0.5), lamp}});
     const StratifiedSampler stratified(1, 4);
     for (const Sampler* const sampler :
          {static_cast<const Sampler*>(&independent), static_cast<const Sampler*>(&stratified)}) {
@@ -123,7 +123,7 @@ TEST(ClosedForm, RectanglesFormFactor) {
 TEST(ClosedForm, SlabOfAbsorbingGlass) {
     const Color sigmaA(0.1, 1, 4);
     const Scene scene(
-        {{pane(0.5, 0, 1.5, sigmaA)}, {std::make_shared<ConstantEnvironment>(Color::Ones())}, Color::Zero(), nullptr});
+        {.objects = {pane(0.5, 0, 1.5, sigmaA)}, .lights = {std::make_shared<ConstantEnvironment>(Color::Ones())}});
     for (const Real angle : {0.0, 0.3, 1.0, 1.5}) {
         const Real sinInside = std::sin(angle) / 1.5;
         const Real way = 0.5 / std::sqrt(1 - sinInside * sinInside);
@@ -142,7 +142,7 @@ TEST(ClosedForm, SlabWithAllInternalReflections) {
             lamp.shape =
                 std::make_shared<Rectangle>(Vec3(3, -50, -50), Vec3(0, 0, 100), Vec3(0, 100, 0));  // shines to −x
             lamp.emission = shining(1);
-            const Scene scene({{pane(0.5, R, 1.5, Color::Constant(sigma)), lamp}, {}, Color::Zero(), nullptr});
+            const Scene scene({.objects = {pane(0.5, R, 1.5, Color::Constant(sigma)), lamp}});
             const Real a = std::exp(-sigma * 0.5);
             const Real expected = (1 - R) * (1 - R) * a / (1 - R * R * a * a);
             const Real seen =
@@ -161,7 +161,8 @@ TEST(ClosedForm, MirrorCorridor) {
     const auto mirror = std::make_shared<MirrorMaterial>(Color::Constant(R));
     const auto left = std::make_shared<Rectangle>(Vec3(0, -1, -1), Vec3(0, 2, 0), Vec3(0, 0, 2));   // faces +x
     const auto right = std::make_shared<Rectangle>(Vec3(2, -1, -1), Vec3(0, 0, 2), Vec3(0, 2, 0));  // faces −x
-    const Scene scene({{{left, mirror, {}, shining(3)}, {right, mirror, {}, shining(3)}}, {}, Color::Zero(), nullptr});
+    const Scene scene({.objects = {{.shape = left, .material = mirror, .emission = shining(3)},
+                                   {.shape = right, .material = mirror, .emission = shining(3)}}});
     for (const int depth : {0, 1, 5, 30}) {
         const Real seen = radiance(scene, {Vec3(1, 0, 0), Vec3::UnitX()}, {.maxDepth = depth}).x();
         EXPECT_NEAR(seen, 3 * (1 - std::pow(R, depth + 1)) / (1 - R), 1e-11);
@@ -170,8 +171,8 @@ TEST(ClosedForm, MirrorCorridor) {
 
 // A convex diffuse body in a furnace: nothing of it is shaded, so L = ρ L_env; to the camera, the environment itself.
 TEST(ClosedForm, ConvexBodyInAFurnace) {
-    const SceneObject ball = {std::make_shared<Sphere>(Vec3::Zero(), 1.0), diffuse(0.5), {}, nullptr};
-    const Scene scene({{ball}, {std::make_shared<ConstantEnvironment>(Color::Constant(2))}, Color::Zero(), nullptr});
+    const SceneObject ball = {.shape = std::make_shared<Sphere>(Vec3::Zero(), 1.0), .material = diffuse(0.5)};
+    const Scene scene({.objects = {ball}, .lights = {std::make_shared<ConstantEnvironment>(Color::Constant(2))}});
     Real sum = 0;
     Real squares = 0;
     constexpr int n = 1000;
@@ -187,8 +188,9 @@ TEST(ClosedForm, ConvexBodyInAFurnace) {
 }
 
 TEST(ClosedForm, AmbientLightIsReflectedEverywhereAlike) {
-    const SceneObject lid = {std::make_shared<Box>(Vec3(-5, 0.1, -5), Vec3(5, 0.2, 5)), diffuse(0), {}, nullptr};
-    const Scene scene({{floor(0.5), lid}, {}, Color(2, 3, 4), nullptr});
+    const SceneObject lid = {.shape = std::make_shared<Box>(Vec3(-5, 0.1, -5), Vec3(5, 0.2, 5)),
+                             .material = diffuse(0)};
+    const Scene scene({.objects = {floor(0.5), lid}, .ambient = Color(2, 3, 4)});
     const Color seen = radiance(scene, {Vec3(0, 0.05, 0), Vec3(0.1, -1, 0).normalized()});
     EXPECT_LE((seen - Color(1, 1.5, 2)).abs().maxCoeff(), 1e-14) << "under a lid too";
 }
@@ -206,10 +208,8 @@ TEST(NestedMedia, TheHigherPriorityFillsTheOverlap) {
     const Color red(0, 2, 3);
     const Color green(5, 0, 1);
     for (const int drinksPriority : {-1, 1}) {
-        const Scene scene({{slab(0, 1, 1.5, red, 0), slab(0.7, 3, 1.3, green, drinksPriority)},
-                           {std::make_shared<ConstantEnvironment>(Color::Ones())},
-                           Color::Zero(),
-                           nullptr});
+        const Scene scene({.objects = {slab(0, 1, 1.5, red, 0), slab(0.7, 3, 1.3, green, drinksPriority)},
+                           .lights = {std::make_shared<ConstantEnvironment>(Color::Ones())}});
         const Real border = drinksPriority > 0 ? 0.7 : 1;
         const Color expected = (-red * border - green * (3 - border)).exp();
         for (const Real side : {1.0, -1.0}) {
@@ -227,8 +227,7 @@ TEST(NestedMedia, TheHigherPriorityFillsTheOverlap) {
 }
 
 TEST(NestedMedia, APointKnowsWhatItIsIn) {
-    const Scene scene(
-        {{slab(0, 2, 1.5, Color::Zero(), 0), slab(1, 3, 1.3, Color::Zero(), 1)}, {}, Color::Zero(), nullptr});
+    const Scene scene({.objects = {slab(0, 2, 1.5, Color::Zero(), 0), slab(1, 3, 1.3, Color::Zero(), 1)}});
     EXPECT_EQ(scene.mediaAt({-1, 0, 0}).object(), noObject);
     EXPECT_EQ(scene.mediaAt({0.5, 0, 0}).object(), 0);
     EXPECT_EQ(scene.mediaAt({1.5, 0, 0}).object(), 1);
@@ -239,10 +238,8 @@ TEST(NestedMedia, APointKnowsWhatItIsIn) {
 
 // A camera in absorbing glass sees e^(−σ d) of what comes in; radiance within is n² times that outside.
 TEST(NestedMedia, CameraInsideGlass) {
-    SceneDescription description = {{pane(2, 0, 1.5, Color::Constant(0.7))},
-                                    {std::make_shared<ConstantEnvironment>(Color::Ones())},
-                                    Color::Zero(),
-                                    nullptr};
+    SceneDescription description = {.objects = {pane(2, 0, 1.5, Color::Constant(0.7))},
+                                    .lights = {std::make_shared<ConstantEnvironment>(Color::Ones())}};
     description.camera = std::make_shared<PinholeCamera>(Vec3(0.5, 0, 0), Vec3(2, 0, 0), Vec3::UnitY(), 0.5, 2, 2);
     const Scene scene(description);
     EXPECT_EQ(scene.cameraMedia().object(), 0);
@@ -254,10 +251,8 @@ TEST(NestedMedia, ShadowRaysAreAbsorbedInPanesWithoutSurface) {
     SceneObject tint = slab(-50, 50, 1, Color::Constant(1.5), 0);
     tint.shape = std::make_shared<Box>(Vec3(-50, 0.5, -50), Vec3(50, 1.2, 50));
     tint.material = nullptr;
-    const Scene scene({{floor(1), tint},
-                       {std::make_shared<PointLight>(Vec3(0, 2, 0), Color::Constant(4 * pi))},
-                       Color::Zero(),
-                       nullptr});
+    const Scene scene({.objects = {floor(1), tint},
+                       .lights = {std::make_shared<PointLight>(Vec3(0, 2, 0), Color::Constant(4 * pi))}});
     EXPECT_NEAR(radiance(scene, {Vec3(0, 0.1, 0), -Vec3::UnitY()}).x(), std::exp(-1.5 * 0.7), 1e-10);
     // From above the floor is seen through the pane once more.
     EXPECT_NEAR(radiance(scene, {Vec3(0, 1.9, 0), -Vec3::UnitY()}).x(), std::exp(-2 * 1.5 * 0.7), 1e-10);
@@ -274,11 +269,8 @@ TEST(NestedMedia, ShadowRaysFindTheSameFollowedOrNot) {
     };
     SceneObject stone = floor(0.5);
     stone.shape = std::make_shared<Sphere>(Vec3(0.3, 1, 0), 0.2);
-    SceneDescription description = {
-        {floor(0.5), ball({0, 1, 0}, 0.8, 0), ball({0.6, 1, 0}, 0.7, 1), ball({-1.5, 1, 0.4}, 0.3, 0), stone},
-        {},
-        Color::Zero(),
-        nullptr};
+    SceneDescription description = {.objects = {floor(0.5), ball({0, 1, 0}, 0.8, 0), ball({0.6, 1, 0}, 0.7, 1),
+                                                ball({-1.5, 1, 0.4}, 0.3, 0), stone}};
     const Scene shortWay(description);
     SceneObject bubble;
     bubble.shape = std::make_shared<Sphere>(Vec3(0, 900, 0), 1.0);
@@ -309,7 +301,7 @@ TEST(NestedMedia, ShadowRaysFindTheSameFollowedOrNot) {
 
 TEST(Scene, NeedsWhatItHas) {
     const Scene plain(
-        {{floor(0.5)}, {std::make_shared<PointLight>(Vec3(0, 2, 0), Color::Ones())}, Color::Zero(), nullptr});
+        {.objects = {floor(0.5)}, .lights = {std::make_shared<PointLight>(Vec3(0, 2, 0), Color::Ones())}});
     const SceneNeeds& few = plain.needs();
     EXPECT_TRUE(few.diffuse);
     EXPECT_FALSE(few.specular || few.glossy || few.areaLights || few.environment || few.ambient || few.lens ||
@@ -319,12 +311,11 @@ TEST(Scene, NeedsWhatItHas) {
     SceneObject lamp;
     lamp.shape = std::make_shared<Sphere>(Vec3(0, 9, 0), 1.0);
     lamp.emission = shining(1);
-    const SceneObject board = {
-        std::make_shared<Plane>(Vec3::Zero(), Vec3::UnitY()), std::make_shared<DiffuseMaterial>(checker), {}, nullptr};
-    const Scene rich({{board, lamp, pane(1, 0.5, 1.5, Color::Ones())},
-                      {std::make_shared<ConstantEnvironment>(Color::Ones())},
-                      Color::Ones(),
-                      nullptr});
+    const SceneObject board = {.shape = std::make_shared<Plane>(Vec3::Zero(), Vec3::UnitY()),
+                               .material = std::make_shared<DiffuseMaterial>(checker)};
+    const Scene rich({.objects = {board, lamp, pane(1, 0.5, 1.5, Color::Ones())},
+                      .lights = {std::make_shared<ConstantEnvironment>(Color::Ones())},
+                      .ambient = Color::Ones()});
     const SceneNeeds& many = rich.needs();
     EXPECT_TRUE(many.diffuse && many.specular && many.areaLights && many.environment && many.ambient &&
                 many.interiors && many.medium && many.textures);
@@ -333,8 +324,8 @@ TEST(Scene, NeedsWhatItHas) {
 
 // Parsimony: on a scene without glass, medium, lens and texture none of them is asked for.
 TEST(Scene, WhatIsNotNeededIsNotAsked) {
-    SceneDescription description = {
-        {floor(0.5)}, {std::make_shared<PointLight>(Vec3(0, 2, 0), Color::Ones())}, Color::Zero(), nullptr};
+    SceneDescription description = {.objects = {floor(0.5)},
+                                    .lights = {std::make_shared<PointLight>(Vec3(0, 2, 0), Color::Ones())}};
     // Narrow enough for every ray to meet the floor.
     description.camera = std::make_shared<PinholeCamera>(Vec3(0, 1, 4), Vec3::Zero(), Vec3::UnitY(), 0.4, 8, 8);
     const Scene scene(description);
@@ -355,7 +346,7 @@ TEST(Render, PictureDoesNotDependOnThreads) {
     lamp.emission = shining(5);
     SceneObject glass = pane(1, 0.2, 1.5, Color(1, 0, 0));
     glass.shape = std::make_shared<Sphere>(Vec3(0, 1, 0), 0.8);
-    SceneDescription description = {{floor(0.5), lamp, glass}, {}, Color::Constant(0.1), nullptr};
+    SceneDescription description = {.objects = {floor(0.5), lamp, glass}, .ambient = Color::Constant(0.1)};
     description.camera = std::make_shared<PinholeCamera>(Vec3(0, 2, 6), Vec3(0, 1, 0), Vec3::UnitY(), 0.6, 24, 20);
     const Scene scene(description);
     const StratifiedSampler sampler(9, 2);

@@ -116,7 +116,7 @@ TEST(PhaseFunction, IsotropicIsNormalised) {
 }
 
 SceneObject filled(const Vec3& from, const Vec3& to, std::shared_ptr<const Medium> medium) {
-    return {std::make_shared<Box>(from, to), nullptr, Interior{1, std::move(medium), 0}, nullptr};
+    return {.shape = std::make_shared<Box>(from, to), .interior = Interior{1, std::move(medium), 0}};
 }
 
 // Three fogs in a row, with index-matched boundaries and a little empty space between, before a wall. A path that gets
@@ -132,10 +132,8 @@ TEST(Follow, MediaInARowAreIndependent) {
     for (int k = 0; k < 3; ++k)
         description.objects.push_back(
             filled({from[k], -1, -1}, {to[k], 1, 1}, std::make_shared<test::ColouredFog>(sigmaA[k], sigmaS[k])));
-    description.objects.push_back({std::make_shared<Plane>(Vec3(2.5, 0, 0), -Vec3::UnitX()),
-                                   std::make_shared<DiffuseMaterial>(Color::Ones()),
-                                   {},
-                                   nullptr});
+    description.objects.push_back({.shape = std::make_shared<Plane>(Vec3(2.5, 0, 0), -Vec3::UnitX()),
+                                   .material = std::make_shared<DiffuseMaterial>(Color::Ones())});
     const Scene scene(description);
     EXPECT_TRUE(scene.needs().scattering);
     const IndependentSampler sampler(3);
@@ -177,10 +175,8 @@ TEST(Follow, TakesNoNumbersWhereNothingScatters) {
     };
     SceneDescription description;
     description.objects = {filled({0, -1, -1}, {1, 1, 1}, std::make_shared<AbsorbingMedium>(Color(0.4, 0, 2))),
-                           {std::make_shared<Plane>(Vec3(2, 0, 0), -Vec3::UnitX()),
-                            std::make_shared<DiffuseMaterial>(Color::Ones()),
-                            {},
-                            nullptr}};
+                           {.shape = std::make_shared<Plane>(Vec3(2, 0, 0), -Vec3::UnitX()),
+                            .material = std::make_shared<DiffuseMaterial>(Color::Ones())}};
     const Scene scene(description);
     EXPECT_FALSE(scene.needs().scattering);
     EXPECT_TRUE(scene.needs().medium);

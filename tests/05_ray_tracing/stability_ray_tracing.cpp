@@ -104,18 +104,16 @@ TEST(RayTracer, NoSampleIsNotANumber) {
 // Lights in odd places: at the lit point, in the lit plane, touching a wall, inside glass.
 TEST(RayTracer, LightsInOddPlaces) {
     const auto diffuse = std::make_shared<DiffuseMaterial>(Color::Ones());
-    const SceneObject floor = {std::make_shared<Plane>(Vec3::Zero(), Vec3::UnitY()), diffuse, {}, nullptr};
+    const SceneObject floor = {.shape = std::make_shared<Plane>(Vec3::Zero(), Vec3::UnitY()), .material = diffuse};
     SceneObject touching;
     touching.shape = std::make_shared<Rectangle>(Vec3(1, 0, 0), Vec3(0, 0, 1), Vec3(0, 1, 0));  // stands on the floor
     touching.emission = white();
-    SceneObject glass = {std::make_shared<Sphere>(Vec3(-2, 1, 0), 0.5),
-                         std::make_shared<RefractionMaterial>(Color::Zero(), Color::Ones()), Interior{1.5, nullptr, 0},
-                         nullptr};
-    const Scene scene({{floor, touching, glass},
-                       {std::make_shared<PointLight>(Vec3::Zero(), Color::Ones()),
-                        std::make_shared<PointLight>(Vec3(-2, 1, 0), Color::Ones())},
-                       Color::Zero(),
-                       nullptr});
+    SceneObject glass = {.shape = std::make_shared<Sphere>(Vec3(-2, 1, 0), 0.5),
+                         .material = std::make_shared<RefractionMaterial>(Color::Zero(), Color::Ones()),
+                         .interior = Interior{1.5, nullptr, 0}};
+    const Scene scene({.objects = {floor, touching, glass},
+                       .lights = {std::make_shared<PointLight>(Vec3::Zero(), Color::Ones()),
+                                  std::make_shared<PointLight>(Vec3(-2, 1, 0), Color::Ones())}});
     const RayTracer tracer(scene, sampler, box, {.maxDepth = 8, .shadowSamples = 4});
     RayCounts counts;
     for (std::uint64_t i = 0; i < 2000; ++i) {
@@ -134,14 +132,13 @@ TEST(RayTracer, LightsInOddPlaces) {
 TEST(RayTracer, SurfacesInContact) {
     const auto clear = std::make_shared<RefractionMaterial>(Color::Zero(), Color::Ones());
     const auto paneOf = [&](Real from, Real to) {
-        return SceneObject{std::make_shared<Box>(Vec3(from, -9, -9), Vec3(to, 9, 9)), clear, Interior{1.5, nullptr, 0},
-                           nullptr};
+        return SceneObject{.shape = std::make_shared<Box>(Vec3(from, -9, -9), Vec3(to, 9, 9)),
+                           .material = clear,
+                           .interior = Interior{1.5, nullptr, 0}};
     };
     for (const Real overlap : {1e-6, 0.0}) {
-        const Scene scene({{paneOf(0, 1 + overlap), paneOf(1, 2)},
-                           {std::make_shared<ConstantEnvironment>(Color::Ones())},
-                           Color::Zero(),
-                           nullptr});
+        const Scene scene({.objects = {paneOf(0, 1 + overlap), paneOf(1, 2)},
+                           .lights = {std::make_shared<ConstantEnvironment>(Color::Ones())}});
         const RayTracer tracer(scene, sampler, box, {});
         RayCounts counts;
         for (std::uint64_t i = 0; i < 1000; ++i) {
@@ -241,15 +238,18 @@ TEST(BadInput, CameraFilmSamplerAndSettings) {
 TEST(BadInput, Scenes) {
     const auto ball = std::make_shared<Sphere>(Vec3::Zero(), 1.0);
     const auto clear = std::make_shared<RefractionMaterial>(Color::Zero(), Color::Ones());
-    EXPECT_THROW(Scene({{{nullptr, clear, {}, nullptr}}, {}, Color::Zero(), nullptr}), InputError);
-    EXPECT_THROW(Scene({{{ball, nullptr, {}, nullptr}}, {}, Color::Zero(), nullptr}), InputError) << "nothing at all";
-    EXPECT_THROW(Scene({{{ball, clear, Interior{0, nullptr, 0}, nullptr}}, {}, Color::Zero(), nullptr}), InputError);
-    EXPECT_THROW(Scene({{{ball, clear, Interior{nan, nullptr, 0}, nullptr}}, {}, Color::Zero(), nullptr}), InputError);
-    EXPECT_THROW(Scene({{{ball, clear, Interior{-1.5, nullptr, 0}, nullptr}}, {}, Color::Zero(), nullptr}), InputError);
-    EXPECT_THROW(Scene({{{ball, clear, Interior{infinity, nullptr, 0}, nullptr}}, {}, Color::Zero(), nullptr}),
+    EXPECT_THROW(Scene({.objects = {{.material = clear}}}), InputError);
+    EXPECT_THROW(Scene({.objects = {{.shape = ball}}}), InputError) << "nothing at all";
+    EXPECT_THROW(Scene({.objects = {{.shape = ball, .material = clear, .interior = Interior{0, nullptr, 0}}}}),
                  InputError);
-    EXPECT_THROW(Scene({{}, {nullptr}, Color::Zero(), nullptr}), InputError);
-    EXPECT_THROW(Scene({{}, {}, Color(-1, 0, 0), nullptr}), InputError);
+    EXPECT_THROW(Scene({.objects = {{.shape = ball, .material = clear, .interior = Interior{nan, nullptr, 0}}}}),
+                 InputError);
+    EXPECT_THROW(Scene({.objects = {{.shape = ball, .material = clear, .interior = Interior{-1.5, nullptr, 0}}}}),
+                 InputError);
+    EXPECT_THROW(Scene({.objects = {{.shape = ball, .material = clear, .interior = Interior{infinity, nullptr, 0}}}}),
+                 InputError);
+    EXPECT_THROW(Scene({.lights = {nullptr}}), InputError);
+    EXPECT_THROW(Scene({.ambient = Color(-1, 0, 0)}), InputError);
 }
 
 // A rectangle met from both sides, along its plane, beside it, at its corners.

@@ -26,11 +26,11 @@ std::shared_ptr<const Material> diffuse(Real reflectance) {
 }
 
 SceneObject floor(Real reflectance) {
-    return {std::make_shared<Plane>(Vec3::Zero(), Vec3::UnitY()), diffuse(reflectance), {}, nullptr};
+    return {.shape = std::make_shared<Plane>(Vec3::Zero(), Vec3::UnitY()), .material = diffuse(reflectance)};
 }
 
 SceneObject ceiling(Real reflectance) {
-    return {std::make_shared<Plane>(Vec3(0, 3, 0), -Vec3::UnitY()), diffuse(reflectance), {}, nullptr};
+    return {.shape = std::make_shared<Plane>(Vec3(0, 3, 0), -Vec3::UnitY()), .material = diffuse(reflectance)};
 }
 
 Interaction meet(const Scene& scene, const Vec3& from, const Vec3& towards) {
@@ -52,7 +52,7 @@ SceneObject leaningFloor(const Vec3& ns) {
     mesh.triangles = {{0, 1, 2}};
     mesh.normals = {ns};
     mesh.normalCorners = {{0, 0, 0}};
-    return {std::make_shared<TriangleMesh>(mesh), diffuse(0.6), {}, nullptr};
+    return {.shape = std::make_shared<TriangleMesh>(mesh), .material = diffuse(0.6)};
 }
 
 // β f cos θ We cos θ' / d², with We = 1/(pixel's area at distance 1 · cos⁴ θ') for a pinhole. On a smooth mesh a path
@@ -114,7 +114,7 @@ TEST(CameraConnection, AsksWhatIsInTheWay) {
 
 // β f cos θ cos θ' / d² f' β': the geometry term between a floor and a ceiling.
 TEST(VertexConnection, HasTheGeometryTerm) {
-    const Scene scene({{floor(0.6), ceiling(0.4)}, {}, Color::Zero(), nullptr});
+    const Scene scene({.objects = {floor(0.6), ceiling(0.4)}});
     for (const Real x : {0.0, 1.0, 4.0}) {
         const Interaction eye = meet(scene, {1, 1, 1}, {0, 0, 0});
         const Interaction light = meet(scene, {0.5, 1, 0.5}, {x, 3, 0});
@@ -136,7 +136,7 @@ TEST(VertexConnection, HasTheGeometryTerm) {
 // f |wo·ns| |wi·ng| / |wo·ng| (Veach, eq. 5.19).
 TEST(VertexConnection, ScattersWhatEachWalkCarries) {
     const Vec3 ns = Vec3(0.3, 1, 0.1).normalized();
-    const Scene scene({{leaningFloor(ns), ceiling(0.4)}, {}, Color::Zero(), nullptr});
+    const Scene scene({.objects = {leaningFloor(ns), ceiling(0.4)}});
     const Vec3 below(0.2, 0, 0);
     const Vec3 above(1, 3, 0.5);
     const Vec3 from(-1, 1.5, 0.4);
@@ -167,13 +167,13 @@ TEST(VertexConnection, AsksWhatIsInTheWay) {
         const auto joined = connectVertices(scene, {eye, one}, {light, one}, counts);
         return joined ? joined->value.x() : 0;
     };
-    const Scene open({{floor(0.6), ceiling(0.4)}, {}, Color::Zero(), nullptr});
+    const Scene open({.objects = {floor(0.6), ceiling(0.4)}});
     SceneObject pane;
     pane.shape = between;
     pane.interior = Interior{1, std::make_shared<AbsorbingMedium>(Color::Constant(1.2)), 0};
-    const Scene tinted({{floor(0.6), ceiling(0.4), pane}, {}, Color::Zero(), nullptr});
+    const Scene tinted({.objects = {floor(0.6), ceiling(0.4), pane}});
     EXPECT_NEAR(connect(tinted) / connect(open), std::exp(-0.6), 1e-9) << "What does the pane let pass?";
-    const Scene dark({{floor(0.6), ceiling(0.4), {between, diffuse(0.5), {}, nullptr}}, {}, Color::Zero(), nullptr});
+    const Scene dark({.objects = {floor(0.6), ceiling(0.4), {.shape = between, .material = diffuse(0.5)}}});
     EXPECT_EQ(connect(dark), 0) << "Is there a wall between?";
 }
 

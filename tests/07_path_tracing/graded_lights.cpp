@@ -24,10 +24,8 @@ const IndependentSampler sampler(1);
 const BoxFilter box;
 
 SceneObject floor() {
-    return {std::make_shared<Plane>(Vec3::Zero(), Vec3::UnitY()),
-            std::make_shared<DiffuseMaterial>(Color::Constant(0.5)),
-            {},
-            nullptr};
+    return {.shape = std::make_shared<Plane>(Vec3::Zero(), Vec3::UnitY()),
+            .material = std::make_shared<DiffuseMaterial>(Color::Constant(0.5))};
 }
 
 std::shared_ptr<Light> pointLight(const Vec3& position, Real intensity) {
@@ -72,7 +70,7 @@ void expectDirect(const Scene& scene, Real expected, const std::string& question
 // ρ/π I cos θ / d² of each light, whichever is chosen how often. And what an answer brings times its density is what
 // the chosen light brings by itself.
 TEST(DirectLight, PointsAreChosenByPowerAndDividedByIt) {
-    const Scene scene({{floor()}, {pointLight({0, 2, 0}, 4), pointLight({3, 4, 0}, 100)}, Color::Zero(), nullptr});
+    const Scene scene({.objects = {floor()}, .lights = {pointLight({0, 2, 0}, 4), pointLight({3, 4, 0}, 100)}});
     const Real single[2] = {0.5 / pi * 4.0 / 4, 0.5 / pi * 100.0 * 0.8 / 25};
     expectDirect(scene, single[0] + single[1], "Is it divided by the probability of the light?");
     const LightChoice lights(scene.lights());
@@ -88,7 +86,7 @@ TEST(DirectLight, PointsAreChosenByPowerAndDividedByIt) {
 
 // ρ L F with the form factor F of a rectangle with a corner straight above, in closed form; four of them make the lamp.
 TEST(DirectLight, ALampBringsItsFormFactor) {
-    const Scene scene({{floor(), lamp(7)}, {}, Color::Zero(), nullptr});
+    const Scene scene({.objects = {floor(), lamp(7)}});
     const Real x = 1 / 1.5;
     const Real y = 0.5 / 1.5;
     const Real corner = x / std::sqrt(1 + x * x) * std::atan(y / std::sqrt(1 + x * x)) +
@@ -101,17 +99,17 @@ TEST(DirectLight, AsksWhatIsInTheWay) {
     SceneObject pane;
     pane.shape = std::make_shared<Box>(Vec3(-9, 1, -9), Vec3(9, 1.5, 9));
     pane.interior = Interior{1, std::make_shared<AbsorbingMedium>(Color::Constant(1.2)), 0};
-    const Scene tinted({{floor(), pane}, {pointLight({0, 2, 0}, 4)}, Color::Zero(), nullptr});
+    const Scene tinted({.objects = {floor(), pane}, .lights = {pointLight({0, 2, 0}, 4)}});
     expectDirect(tinted, 0.5 / pi * std::exp(-0.6), "What does the pane let pass?");
 
     SceneObject wall = floor();
     wall.shape = pane.shape;
-    const Scene dark({{floor(), wall}, {pointLight({0, 2, 0}, 4)}, Color::Zero(), nullptr});
+    const Scene dark({.objects = {floor(), wall}, .lights = {pointLight({0, 2, 0}, 4)}});
     expectDirect(dark, 0, "Is there a shadow?");
 }
 
 const Scene& anyScene() {
-    static const Scene scene({{floor(), lamp(7)}, {}, Color::Zero(), nullptr});
+    static const Scene scene({.objects = {floor(), lamp(7)}});
     return scene;
 }
 

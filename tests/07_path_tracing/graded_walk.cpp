@@ -27,13 +27,13 @@ Interaction onFloor(const Scene& scene, Real cosine) {
 }
 
 SceneObject floor(const std::shared_ptr<const Material>& material) {
-    return {std::make_shared<Plane>(Vec3::Zero(), Vec3::UnitY()), material, {}, nullptr};
+    return {.shape = std::make_shared<Plane>(Vec3::Zero(), Vec3::UnitY()), .material = material};
 }
 
 // f |cos| / p of a diffuse surface is its reflectance, wherever the sample goes: the density is cos θ / π, f is ρ / π.
 TEST(Scatter, DiffuseStepsCarryTheReflectance) {
     const Color reflectance(0.2, 0.6, 0.9);
-    const Scene scene({{floor(std::make_shared<DiffuseMaterial>(reflectance))}, {}, Color::Zero(), nullptr});
+    const Scene scene({.objects = {floor(std::make_shared<DiffuseMaterial>(reflectance))}});
     const Interaction at = onFloor(scene, 0.3);
     for (const TransportMode mode : {TransportMode::Radiance, TransportMode::Importance}) {
         for (int i = 0; i < 200; ++i) {
@@ -51,14 +51,14 @@ TEST(Scatter, DiffuseStepsCarryTheReflectance) {
 // where it is refracted.
 TEST(Scatter, DeltaLobesHaveNoCosine) {
     const auto mirror = std::make_shared<MirrorMaterial>(Color(0.2, 0.5, 0.8));
-    const Scene mirrors({{floor(mirror)}, {}, Color::Zero(), nullptr});
+    const Scene mirrors({.objects = {floor(mirror)}});
     const auto reflected = scatter(onFloor(mirrors, 0.3), TransportMode::Radiance, sampler.start(0, {0, 0}, 0), 0);
     ASSERT_TRUE(reflected);
     EXPECT_LE((reflected->weight - Color(0.2, 0.5, 0.8)).abs().maxCoeff(), 1e-12) << "Is there a cosine in it?";
 
     SceneObject glass = floor(std::make_shared<RefractionMaterial>(Color::Constant(0.3), Color::Constant(0.7)));
     glass.interior = Interior{1.5, nullptr, 0};
-    const Scene scene({{glass}, {}, Color::Zero(), nullptr});
+    const Scene scene({.objects = {glass}});
     const Interaction at = onFloor(scene, 0.4);
     constexpr int n = 20'000;
     int refractions = 0;

@@ -49,7 +49,7 @@ std::shared_ptr<const Material> glass(Real reflectance) {
 }
 
 SceneObject floor(Real reflectance) {
-    return {std::make_shared<Plane>(Vec3::Zero(), Vec3::UnitY()), diffuse(reflectance), {}, nullptr};
+    return {.shape = std::make_shared<Plane>(Vec3::Zero(), Vec3::UnitY()), .material = diffuse(reflectance)};
 }
 
 // A single pixel with this field of view.
@@ -123,7 +123,8 @@ TriangleMesh hollowSphere(int cuts) {
 // A closed room in which every point emits 0.5 and reflects half: L = 0.5 + 0.5 L, so L = 1, whichever way one looks.
 TEST(ClosedForm, SphereThatShinesSeenFromInside) {
     SceneDescription description;
-    description.objects = {{std::make_shared<TriangleMesh>(hollowSphere(3)), diffuse(0.5), {}, shining(0.5)}};
+    description.objects = {
+        {.shape = std::make_shared<TriangleMesh>(hollowSphere(3)), .material = diffuse(0.5), .emission = shining(0.5)}};
     description.camera = pixel({0.1, 0.2, 0.3}, {1, 0.5, 0.4}, 2.4);
     expectPixel(Scene(description), 1);
 }
@@ -131,13 +132,14 @@ TEST(ClosedForm, SphereThatShinesSeenFromInside) {
 // A white ball, and one of glass, in a furnace: both are as bright as everything else.
 TEST(ClosedForm, WhiteFurnace) {
     SceneDescription description;
-    description.objects = {{std::make_shared<Sphere>(Vec3::Zero(), 1.0), diffuse(1), {}, nullptr}};
+    description.objects = {{.shape = std::make_shared<Sphere>(Vec3::Zero(), 1.0), .material = diffuse(1)}};
     description.lights = {std::make_shared<ConstantEnvironment>(Color::Ones())};
     description.camera = pixel({0, 0, 3}, {0, 0, 0}, 0.7);
     expectPixel(Scene(description), 1);
 
-    description.objects = {
-        {std::make_shared<Sphere>(Vec3::Zero(), 1.0), glass(0.2), Interior{1.5, nullptr, 0}, nullptr}};
+    description.objects = {{.shape = std::make_shared<Sphere>(Vec3::Zero(), 1.0),
+                            .material = glass(0.2),
+                            .interior = Interior{1.5, nullptr, 0}}};
     description.lights = {std::make_shared<ConstantEnvironment>(Color::Ones())};
     expectPixel(Scene(description), 1, all & ~light);
 }
@@ -146,7 +148,7 @@ TEST(ClosedForm, WhiteFurnace) {
 TEST(ClosedForm, RectanglesFormFactor) {
     SceneDescription description;
     const auto lamp = std::make_shared<Rectangle>(Vec3(-1, 1.5, -0.5), Vec3(2, 0, 0), Vec3(0, 0, 1));  // U × V = −y
-    description.objects = {floor(0.5), {lamp, nullptr, {}, shining(7)}};
+    description.objects = {floor(0.5), {.shape = lamp, .emission = shining(7)}};
     description.camera = pixel({0.2, 1, 0.1}, {0.4, 0, 0.3}, 1.2);
     const Real expected = overPixel(*description.camera, [](const Vec3& at) {
         return 0.5 * 7 * test::formFactor(-1 - at.x(), 1 - at.x(), -0.5 - at.z(), 0.5 - at.z(), 1.5);
@@ -181,7 +183,8 @@ TEST(ClosedForm, MirrorCorridor) {
     const auto left = std::make_shared<Rectangle>(Vec3(0, -1, -1), Vec3(0, 2, 0), Vec3(0, 0, 2));   // faces +x
     const auto right = std::make_shared<Rectangle>(Vec3(2, -1, -1), Vec3(0, 0, 2), Vec3(0, 2, 0));  // faces −x
     SceneDescription description;
-    description.objects = {{left, mirror, {}, shining(3)}, {right, mirror, {}, shining(3)}};
+    description.objects = {{.shape = left, .material = mirror, .emission = shining(3)},
+                           {.shape = right, .material = mirror, .emission = shining(3)}};
     description.camera = pixel({1, 0, 0}, {2, 0, 0}, 1e-6);
     for (const int length : {1, 2, 6, 31}) {
         expectPixel(Scene(description), 3 * (1 - std::pow(R, length)) / (1 - R), all & ~light,
@@ -193,8 +196,9 @@ TEST(ClosedForm, MirrorCorridor) {
 
 // A pane between x = 0 and x = 0.5.
 SceneObject pane(Real reflectance, Real sigmaA) {
-    return {std::make_shared<Box>(Vec3(0, -50, -50), Vec3(0.5, 50, 50)), glass(reflectance),
-            Interior{1.5, std::make_shared<AbsorbingMedium>(Color::Constant(sigmaA)), 0}, nullptr};
+    return {.shape = std::make_shared<Box>(Vec3(0, -50, -50), Vec3(0.5, 50, 50)),
+            .material = glass(reflectance),
+            .interior = Interior{1.5, std::make_shared<AbsorbingMedium>(Color::Constant(sigmaA)), 0}};
 }
 
 // Beer–Lambert through a pane that reflects nothing: T = e^(−σ d), d by Snell's law.
@@ -215,7 +219,7 @@ TEST(ClosedForm, SlabWithAllInternalReflections) {
     const auto lamp = std::make_shared<Rectangle>(Vec3(3, -50, -50), Vec3(0, 0, 100), Vec3(0, 100, 0));  // shines to −x
     for (const Real R : {0.3, 0.5}) {
         SceneDescription description;
-        description.objects = {pane(R, 0.2), {lamp, nullptr, {}, shining(1)}};
+        description.objects = {pane(R, 0.2), {.shape = lamp, .emission = shining(1)}};
         description.camera = pixel({-1, 0, 0}, {0, 0, 0}, 1e-6);
         const Real a = std::exp(-0.2 * 0.5);
         expectPixel(Scene(description), (1 - R) * (1 - R) * a / (1 - R * R * a * a), chance | mis | bidirectional);
@@ -231,8 +235,9 @@ TEST(ClosedForm, LightWithinAbsorbingGlass) {
     const Real a = std::exp(-0.7 * 0.5);
     SceneDescription description;
     description.objects = {floor(0.6),
-                           {std::make_shared<Sphere>(place, 0.5), glass(R),
-                            Interior{1.5, std::make_shared<AbsorbingMedium>(Color::Constant(0.7)), 0}, nullptr}};
+                           {.shape = std::make_shared<Sphere>(place, 0.5),
+                            .material = glass(R),
+                            .interior = Interior{1.5, std::make_shared<AbsorbingMedium>(Color::Constant(0.7)), 0}}};
     description.lights = {std::make_shared<ConeLight>(place, -Vec3::UnitY(), 0.5, Color::Constant(5))};
     description.camera = pixel({0.1, 0.9, 0.1}, {0, 0, 0}, 1);
     const Real intensity = 5 * a * (1 - R);
@@ -249,10 +254,8 @@ TEST(ClosedForm, PointLightAndItsImage) {
     const Real R = 0.7;
     SceneDescription description;
     description.objects = {floor(0.6),
-                           {std::make_shared<Plane>(Vec3(0, 3, 0), -Vec3::UnitY()),
-                            std::make_shared<MirrorMaterial>(Color::Constant(R)),
-                            {},
-                            nullptr}};
+                           {.shape = std::make_shared<Plane>(Vec3(0, 3, 0), -Vec3::UnitY()),
+                            .material = std::make_shared<MirrorMaterial>(Color::Constant(R))}};
     description.lights = {std::make_shared<PointLight>(Vec3(0, 2, 0), Color::Constant(5))};
     description.camera = pixel({0.5, 1, 0.5}, {0.3, 0, 0.3}, 1.4);
     const Real expected = overPixel(*description.camera, [&](const Vec3& at) {

@@ -34,11 +34,11 @@ std::shared_ptr<const Medium> fog(const Color& sigmaA, const Color& sigmaS) {
 }
 
 SceneObject ballOf(const Vec3& center, Real radius, std::shared_ptr<const Medium> medium, int priority = 0) {
-    return {std::make_shared<Sphere>(center, radius), nullptr, Interior{1, std::move(medium), priority}, nullptr};
+    return {.shape = std::make_shared<Sphere>(center, radius), .interior = Interior{1, std::move(medium), priority}};
 }
 
 SceneObject ball(const Vec3& center, Real radius, std::shared_ptr<const Material> material) {
-    return {std::make_shared<Sphere>(center, radius), std::move(material), {}, nullptr};
+    return {.shape = std::make_shared<Sphere>(center, radius), .material = std::move(material)};
 }
 
 // Of one pixel.
@@ -54,8 +54,9 @@ TEST(Fog, WhiteFurnaceStaysWhite) {
         description.objects = {ballOf(Vec3::Zero(), 1, fog(Color::Zero(), {0.4, 1.5, 3})),
                                ballOf({0.2, 0.3, -0.1}, 0.4, fog(Color::Zero(), {2, 0.3, 1}), 1),
                                ball({-0.9, 0.1, 0}, 0.3, std::make_shared<DiffuseMaterial>(Color::Ones())),
-                               {std::make_shared<Sphere>(Vec3(0.1, -0.7, 0.2), 0.25),
-                                std::make_shared<DielectricMaterial>(), Interior{1.5, nullptr, 2}, nullptr}};
+                               {.shape = std::make_shared<Sphere>(Vec3(0.1, -0.7, 0.2), 0.25),
+                                .material = std::make_shared<DielectricMaterial>(),
+                                .interior = Interior{1.5, nullptr, 2}}};
         description.lights = {std::make_shared<ConstantEnvironment>(Color::Ones())};
         description.camera = look(eye, {-0.2, 0, 0}, 0.5);
         const Scene scene(description);
@@ -181,10 +182,8 @@ TEST(Fog, MethodsAgree) {
         description.objects = {ballOf({0.1, 0, 0}, 2.2, fog(turned(sigmaA), turned(sigmaS))),
                                lamp,
                                ball({0.3, 0.2, -0.5}, 0.4, std::make_shared<DiffuseMaterial>(turned({0.8, 0.3, 0.5}))),
-                               {std::make_shared<Rectangle>(Vec3(-1, -1, -0.9), Vec3(2, 0, 0), Vec3(0, 2, 0)),
-                                std::make_shared<DiffuseMaterial>(turned({0.6, 0.9, 0.4})),
-                                {},
-                                nullptr}};
+                               {.shape = std::make_shared<Rectangle>(Vec3(-1, -1, -0.9), Vec3(2, 0, 0), Vec3(0, 2, 0)),
+                                .material = std::make_shared<DiffuseMaterial>(turned({0.6, 0.9, 0.4}))}};
         description.lights = {std::make_shared<PointLight>(Vec3(0.7, -0.6, 0.4), turned({1, 3, 2}))};
         description.camera = look({1.2, -1.6, 0.3}, {0.1, 0, -0.3}, 0.8);
         const Scene scene(description);
@@ -235,11 +234,11 @@ private:
 // Roulette from the first vertex on, glass whose radiance scale the parts carry along, a coloured fog.
 TEST(Walk, SplitsWithoutBias) {
     SceneDescription description;
-    description.objects = {
-        ballOf(Vec3::Zero(), 1, fog({0.2, 0.1, 0}, {0.8, 0.4, 1})),
-        ball({0.2, 0.1, -0.4}, 0.3, std::make_shared<DiffuseMaterial>(Color(0.3, 0.6, 0.2))),
-        {std::make_shared<Sphere>(Vec3(0.1, -0.5, 0.2), 0.35), std::make_shared<DielectricMaterial>(),
-         Interior{1.5, fog({1, 0, 0}, {0.3, 0.3, 0.3}), 2}, nullptr}};
+    description.objects = {ballOf(Vec3::Zero(), 1, fog({0.2, 0.1, 0}, {0.8, 0.4, 1})),
+                           ball({0.2, 0.1, -0.4}, 0.3, std::make_shared<DiffuseMaterial>(Color(0.3, 0.6, 0.2))),
+                           {.shape = std::make_shared<Sphere>(Vec3(0.1, -0.5, 0.2), 0.35),
+                            .material = std::make_shared<DielectricMaterial>(),
+                            .interior = Interior{1.5, fog({1, 0, 0}, {0.3, 0.3, 0.3}), 2}}};
     description.lights = {std::make_shared<ConstantEnvironment>(Color(1, 0.5, 2))};
     description.camera = look({1.1, -1.4, 0.8}, Vec3::Zero(), 0.5);
     const Scene scene(description);

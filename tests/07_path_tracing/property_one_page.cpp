@@ -55,8 +55,8 @@ TEST(OnePage, IsThePathTracerInFog) {
     const auto fog = std::make_shared<test::ColouredFog>(Color(0.2, 0.1, 0), Color(0.3, 0.9, 2));
     const auto glossy = std::make_shared<PhongMaterial>(std::make_shared<ConstantTexture>(Color(0.3, 0.4, 0.2)),
                                                         Color(0.5, 0.4, 0.6), 30);
-    description.objects = {{std::make_shared<Sphere>(Vec3::Zero(), 1), nullptr, Interior{1, fog, 0}, nullptr},
-                           {std::make_shared<Sphere>(Vec3(0.7, 0.1, -0.2), 0.6), glossy, {}, nullptr}};
+    description.objects = {{.shape = std::make_shared<Sphere>(Vec3::Zero(), 1), .interior = Interior{1, fog, 0}},
+                           {.shape = std::make_shared<Sphere>(Vec3(0.7, 0.1, -0.2), 0.6), .material = glossy}};
     description.lights = {std::make_shared<PointLight>(Vec3(-0.2, 0.3, 0.5), Color(3, 2, 1)),
                           std::make_shared<ConstantEnvironment>(Color(0.1, 0.2, 0.4))};
     description.camera =

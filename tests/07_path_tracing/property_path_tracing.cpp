@@ -43,7 +43,7 @@ std::shared_ptr<const Material> diffuse(Real reflectance) {
 }
 
 SceneObject lamp(const Vec3& corner, const Vec3& edgeU, const Vec3& edgeV, Real radiance) {
-    return {std::make_shared<Rectangle>(corner, edgeU, edgeV), nullptr, {}, grey(radiance)};
+    return {.shape = std::make_shared<Rectangle>(corner, edgeU, edgeV), .emission = grey(radiance)};
 }
 
 // Splats go to pixels far away, whoever's turn it is: their order is that of the paths.
@@ -137,7 +137,7 @@ TEST(LightChoice, IsByPower) {
 TEST(LightStart, CarriesThePowerOfAllLights) {
     SceneDescription description;
     description.objects = {lamp({0, 0, 0}, {2, 0, 0}, {0, 1, 0}, 3),
-                           {std::make_shared<Sphere>(Vec3(5, 0, 0), 0.5), nullptr, {}, grey(1)}};
+                           {.shape = std::make_shared<Sphere>(Vec3(5, 0, 0), 0.5), .emission = grey(1)}};
     description.lights = {std::make_shared<PointLight>(Vec3(0, 0, 1), Color(1, 2, 0)),
                           std::make_shared<ConeLight>(Vec3(0, 0, 1), Vec3::UnitX(), 0.3, Color::Constant(5)),
                           std::make_shared<ConstantEnvironment>(Color::Constant(0.01))};
@@ -190,7 +190,7 @@ TEST(Bidirectional, IsTheSumOfItsStrategies) {
 
 TEST(Bidirectional, LiNeedsNoFilm) {
     SceneDescription furnace;
-    furnace.objects = {{std::make_shared<Sphere>(Vec3::Zero(), 1.0), diffuse(1), {}, nullptr}};
+    furnace.objects = {{.shape = std::make_shared<Sphere>(Vec3::Zero(), 1.0), .material = diffuse(1)}};
     furnace.lights = {std::make_shared<ConstantEnvironment>(Color::Constant(2))};
     const Scene scene(furnace);
     const BidirectionalPathTracer tracer(scene, sampler, box, {});
@@ -234,7 +234,8 @@ TEST(Mis, IsNeverMuchWorseThanItsBetterPart) {
             for (const Real exponent : {0.0, 10.0, 100.0, 1000.0, 20000.0}) {
                 SceneDescription description;
                 const auto glossy = std::make_shared<PhongMaterial>(grey(0.2), Color::Constant(0.6), exponent);
-                description.objects = {{std::make_shared<Plane>(Vec3::Zero(), Vec3::UnitY()), glossy, {}, nullptr}};
+                description.objects = {
+                    {.shape = std::make_shared<Plane>(Vec3::Zero(), Vec3::UnitY()), .material = glossy}};
                 const int perAxis = static_cast<int>(std::lround(std::sqrt(lamps)));
                 for (int k = 0; k < lamps; ++k) {
                     const Vec3 corner(0.4 * (k % perAxis - (perAxis - 1) / 2.0) - side / 2, 1,

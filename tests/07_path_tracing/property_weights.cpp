@@ -203,22 +203,22 @@ SceneDescription everything() {
     const auto glossy = std::make_shared<PhongMaterial>(shining(0.3), Color::Constant(0.6), 200);
     const auto glass = std::make_shared<RefractionMaterial>(Color::Constant(0.2), Color::Constant(0.8));
     const auto wall = [&](const Vec3& corner, const Vec3& u, const Vec3& v) {
-        return SceneObject{std::make_shared<Rectangle>(corner, u, v), diffuse, {}, nullptr};
+        return SceneObject{.shape = std::make_shared<Rectangle>(corner, u, v), .material = diffuse};
     };
     SceneDescription room;
-    room.objects = {wall({-1, -1, -1}, {0, 0, 2}, {2, 0, 0}),
-                    wall({-1, -1, -1}, {0, 2, 0}, {0, 0, 2}),
-                    wall({1, -1, -1}, {0, 0, 2}, {0, 2, 0}),
-                    {std::make_shared<Rectangle>(Vec3(-1, -1, -1), Vec3(2, 0, 0), Vec3(0, 2, 0)), glossy, {}, nullptr},
-                    {std::make_shared<Sphere>(Vec3(-0.4, -0.6, 0), 0.4),
-                     std::make_shared<MirrorMaterial>(Color::Ones()),
-                     {},
-                     nullptr},
-                    {std::make_shared<Sphere>(Vec3(0.5, -0.6, 0.2), 0.35), glass, Interior{1.5, nullptr, 0}, nullptr},
-                    {std::make_shared<Rectangle>(Vec3(-0.3, 0.9, -0.3), Vec3(0.6, 0, 0), Vec3(0, 0, 0.6)),
-                     diffuse,
-                     {},
-                     shining(9)}};
+    room.objects = {
+        wall({-1, -1, -1}, {0, 0, 2}, {2, 0, 0}),
+        wall({-1, -1, -1}, {0, 2, 0}, {0, 0, 2}),
+        wall({1, -1, -1}, {0, 0, 2}, {0, 2, 0}),
+        {.shape = std::make_shared<Rectangle>(Vec3(-1, -1, -1), Vec3(2, 0, 0), Vec3(0, 2, 0)), .material = glossy},
+        {.shape = std::make_shared<Sphere>(Vec3(-0.4, -0.6, 0), 0.4),
+         .material = std::make_shared<MirrorMaterial>(Color::Ones())},
+        {.shape = std::make_shared<Sphere>(Vec3(0.5, -0.6, 0.2), 0.35),
+         .material = glass,
+         .interior = Interior{1.5, nullptr, 0}},
+        {.shape = std::make_shared<Rectangle>(Vec3(-0.3, 0.9, -0.3), Vec3(0.6, 0, 0), Vec3(0, 0, 0.6)),
+         .material = diffuse,
+         .emission = shining(9)}};
     room.lights = {std::make_shared<PointLight>(Vec3(0.3, 0.5, 0.8), Color::Ones()),
                    std::make_shared<ConeLight>(Vec3(-0.7, 0.8, 0.3), Vec3(0.3, -1, 0), 0.8, Color::Constant(4)),
                    std::make_shared<ConstantEnvironment>(Color::Constant(0.3))};

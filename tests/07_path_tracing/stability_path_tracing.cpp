@@ -117,7 +117,7 @@ TEST(Numbers, RandomScenes) {
             description.objects.push_back(ball);
         }
         description.objects.push_back(
-            {std::make_shared<Plane>(Vec3(0, -1, 0), Vec3::UnitY()), anyMaterial(random), {}, nullptr});
+            {.shape = std::make_shared<Plane>(Vec3(0, -1, 0), Vec3::UnitY()), .material = anyMaterial(random)});
         description.lights = {
             std::make_shared<PointLight>(test::inCube(random), Color::Ones()),
             std::make_shared<ConeLight>(test::inCube(random), test::inCube(random), 0.6, Color::Ones())};
@@ -132,7 +132,7 @@ TEST(Numbers, RandomScenes) {
 SceneDescription roomWith(const SceneObject& thing) {
     SceneDescription room;
     const auto wall = [&](const Vec3& corner, const Vec3& u, const Vec3& v) {
-        room.objects.push_back({std::make_shared<Rectangle>(corner, u, v), diffuse(1), {}, nullptr});
+        room.objects.push_back({.shape = std::make_shared<Rectangle>(corner, u, v), .material = diffuse(1)});
     };
     wall({-1, -1, -1}, {0, 0, 2}, {2, 0, 0});
     wall({-1, 1, -1}, {2, 0, 0}, {0, 0, 2});
@@ -149,7 +149,7 @@ SceneDescription roomWith(const SceneObject& thing) {
 }
 
 SceneObject ball(const std::shared_ptr<const Material>& material, Real ior = 0) {
-    SceneObject one = {std::make_shared<Sphere>(Vec3(0, -0.5, 0), 0.5), material, {}, nullptr};
+    SceneObject one = {.shape = std::make_shared<Sphere>(Vec3(0, -0.5, 0), 0.5), .material = material};
     if (ior > 0) one.interior = Interior{ior, nullptr, 0};
     return one;
 }
@@ -207,9 +207,10 @@ TEST(Numbers, SurfacesInContact) {
     // Twice the same floor, a box on it, glass beside it with a common face.
     room.objects.push_back(room.objects[0]);
     room.objects.push_back(
-        {std::make_shared<Box>(Vec3(-0.9, -1, -0.9), Vec3(-0.5, 0, -0.5)), diffuse(0.5), {}, nullptr});
-    room.objects.push_back({std::make_shared<Box>(Vec3(-0.5, -1, -0.9), Vec3(-0.2, 0, -0.5)),
-                            std::make_shared<RoughDielectricMaterial>(0.3, 0.3), Interior{1.5, nullptr, 0}, nullptr});
+        {.shape = std::make_shared<Box>(Vec3(-0.9, -1, -0.9), Vec3(-0.5, 0, -0.5)), .material = diffuse(0.5)});
+    room.objects.push_back({.shape = std::make_shared<Box>(Vec3(-0.5, -1, -0.9), Vec3(-0.2, 0, -0.5)),
+                            .material = std::make_shared<RoughDielectricMaterial>(0.3, 0.3),
+                            .interior = Interior{1.5, nullptr, 0}});
     expectNumbers(room, "contact", 64);
 }
 
@@ -251,12 +252,10 @@ TEST(Corners, AConnectionHasNoBoundItsWeightHas) {
 TEST(Failures, WhatAMethodCannotMakeIsDark) {
     // A mirror above the floor sends the light of a point down.
     SceneDescription description;
-    description.objects = {{std::make_shared<Plane>(Vec3::Zero(), Vec3::UnitY()), diffuse(0.6), {}, nullptr},
-                           {std::make_shared<Plane>(Vec3(0, 3, 0), -Vec3::UnitY()),
-                            std::make_shared<MirrorMaterial>(Color::Constant(0.7)),
-                            {},
-                            nullptr},
-                           {std::make_shared<Sphere>(Vec3(0, 1, 0), 0.1), diffuse(0), {}, nullptr}};
+    description.objects = {{.shape = std::make_shared<Plane>(Vec3::Zero(), Vec3::UnitY()), .material = diffuse(0.6)},
+                           {.shape = std::make_shared<Plane>(Vec3(0, 3, 0), -Vec3::UnitY()),
+                            .material = std::make_shared<MirrorMaterial>(Color::Constant(0.7))},
+                           {.shape = std::make_shared<Sphere>(Vec3(0, 1, 0), 0.1), .material = diffuse(0)}};
     description.lights = {std::make_shared<ConeLight>(Vec3(0, 2, 0), Vec3::UnitY(), 0.5, Color::Constant(5))};
     description.camera = std::make_shared<PinholeCamera>(Vec3(0.5, 1, 0.5), Vec3(0.3, 0, 0.3), Vec3::UnitY(), 1, 8, 8);
     const auto mean = [](auto integrator) {

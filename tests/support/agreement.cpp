@@ -70,7 +70,7 @@ SceneDescription boxWith(const std::vector<SceneObject>& objects, bool areaLamp)
 }
 
 SceneObject ball(const Vec3& center, Real radius, std::shared_ptr<const Material> material) {
-    return {std::make_shared<Sphere>(center, radius), std::move(material), {}, nullptr};
+    return {.shape = std::make_shared<Sphere>(center, radius), .material = std::move(material)};
 }
 
 // Leaves out what a path brings to its own pixel when the first surface that the eye meets has delta lobes only: the
@@ -182,12 +182,13 @@ std::vector<AgreementScene> agreementScenes() {
     const auto shiny = std::make_shared<PhongMaterial>(std::make_shared<ConstantTexture>(Color::Constant(0.4)),
                                                        Color::Constant(0.5), 20);
     const auto metal = std::make_shared<RoughConductorMaterial>(Metal::gold(), 0.35, 0.35);
-    SceneObject glossyFloor = {
-        std::make_shared<Rectangle>(Vec3(-1, -1, -0.999), Vec3(2, 0, 0), Vec3(0, 2, 0)), shiny, {}, nullptr};
+    SceneObject glossyFloor = {.shape = std::make_shared<Rectangle>(Vec3(-1, -1, -0.999), Vec3(2, 0, 0), Vec3(0, 2, 0)),
+                               .material = shiny};
     return {
         {"diffuse box", boxWith({}, true)},
         {"smooth normals",
-         boxWith({{std::make_shared<TriangleMesh>(coarseBall({0, 0.1, -0.5}, 0.45)), white, {}, nullptr}}, true)},
+         boxWith({{.shape = std::make_shared<TriangleMesh>(coarseBall({0, 0.1, -0.5}, 0.45)), .material = white}},
+                 true)},
         {"glass ball", boxWith({glassBall({0.1, 0, -0.5}, 0.4, 1.5)}, true), true},
         {"point lamp", boxWith({ball({-0.4, 0.2, -0.6}, 0.35, shiny), ball({0.4, -0.1, -0.65}, 0.3, white)}, false)},
         {"glossy", boxWith({ball({0.1, 0.1, -0.55}, 0.4, metal), glossyFloor}, true)}};

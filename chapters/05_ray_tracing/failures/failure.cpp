@@ -51,10 +51,10 @@ std::vector<bool> absorption(Random& random) {
     const Real ior = random.uniform(1.1, 2);
     const Real sigma = random.uniform(0.1, 3);
     const Real offset = random.uniform(0, 0.99);
-    const SceneObject ball = {std::make_shared<Sphere>(Vec3::Zero(), 1.0),
-                              std::make_shared<RefractionMaterial>(Color::Zero(), Color::Ones()),
-                              Interior{ior, std::make_shared<AbsorbingMedium>(Color::Constant(sigma)), 0}, nullptr};
-    const Scene scene({{ball}, {std::make_shared<ConstantEnvironment>(Color::Ones())}, Color::Zero(), nullptr});
+    const SceneObject ball = {.shape = std::make_shared<Sphere>(Vec3::Zero(), 1.0),
+                              .material = std::make_shared<RefractionMaterial>(Color::Zero(), Color::Ones()),
+                              .interior = Interior{ior, std::make_shared<AbsorbingMedium>(Color::Constant(sigma)), 0}};
+    const Scene scene({.objects = {ball}, .lights = {std::make_shared<ConstantEnvironment>(Color::Ones())}});
     const Real sine = offset / ior;
     const Real chord = 2 * std::sqrt(1 - sine * sine);
     const Real before = 3 - std::sqrt(1 - offset * offset);
@@ -100,10 +100,10 @@ std::vector<bool> nestedGlass(Random& random) {
         panes.sigma[k] = random.uniform(0.5, 2);
         panes.priority[k] = random.below(2) == 0 ? k : 3 * (1 - k) + 1;
         description.objects.push_back(
-            {std::make_shared<Box>(Vec3(panes.from[k], -9, -9), Vec3(panes.to[k], 9, 9)),
-             std::make_shared<RefractionMaterial>(Color::Zero(), Color::Ones()),
-             Interior{1, std::make_shared<AbsorbingMedium>(Color::Constant(panes.sigma[k])), panes.priority[k]},
-             nullptr});
+            {.shape = std::make_shared<Box>(Vec3(panes.from[k], -9, -9), Vec3(panes.to[k], 9, 9)),
+             .material = std::make_shared<RefractionMaterial>(Color::Zero(), Color::Ones()),
+             .interior =
+                 Interior{1, std::make_shared<AbsorbingMedium>(Color::Constant(panes.sigma[k])), panes.priority[k]}});
     }
     if (panes.priority[0] == panes.priority[1]) {
         ++panes.priority[1];

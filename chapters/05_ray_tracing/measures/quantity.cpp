@@ -29,12 +29,11 @@ const Vec3 lampPlace(0, 4, 0);
 // A point light of 1 W/sr above a glass ball above a white floor.
 Scene causticScene() {
     SceneDescription scene;
-    scene.objects = {
-        {std::make_shared<Plane>(Vec3::Zero(), Vec3::UnitY()),
-         std::make_shared<DiffuseMaterial>(Color::Ones()),
-         {},
-         nullptr},
-        {std::make_shared<Sphere>(Vec3(0, 1.2, 0), 1.0), clearGlass(), Interior{1.5, nullptr, 0}, nullptr}};
+    scene.objects = {{.shape = std::make_shared<Plane>(Vec3::Zero(), Vec3::UnitY()),
+                      .material = std::make_shared<DiffuseMaterial>(Color::Ones())},
+                     {.shape = std::make_shared<Sphere>(Vec3(0, 1.2, 0), 1.0),
+                      .material = clearGlass(),
+                      .interior = Interior{1.5, nullptr, 0}}};
     scene.lights = {std::make_shared<PointLight>(lampPlace, Color::Ones())};
     return Scene(scene);
 }

@@ -50,11 +50,9 @@ SceneObject floorOf(Real reflectance) {
 
 // A mirror that stands on the floor at x = −1 and looks along x.
 SceneObject standingMirror(Real reflectance, const Vec2& middle, Real half) {
-    return {std::make_shared<Rectangle>(Vec3(-1, middle.x() - half, middle.y() - half), Vec3(0, 2 * half, 0),
-                                        Vec3(0, 0, 2 * half)),
-            std::make_shared<MirrorMaterial>(Color::Constant(reflectance)),
-            {},
-            nullptr};
+    return {.shape = std::make_shared<Rectangle>(Vec3(-1, middle.x() - half, middle.y() - half), Vec3(0, 2 * half, 0),
+                                                 Vec3(0, 0, 2 * half)),
+            .material = std::make_shared<MirrorMaterial>(Color::Constant(reflectance))};
 }
 
 // A cone of light that a large mirror throws onto the floor, and where its axis arrives.

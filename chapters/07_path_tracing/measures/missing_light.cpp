@@ -42,10 +42,8 @@ SceneDescription underBall() {
     Vec3 place;
     SceneDescription scene = dark(place);
     const Real radiance = intensity / (std::numbers::pi * lampRadius * lampRadius);
-    scene.objects.push_back({std::make_shared<Sphere>(place, lampRadius),
-                             nullptr,
-                             {},
-                             std::make_shared<ConstantTexture>(Color::Constant(radiance))});
+    scene.objects.push_back({.shape = std::make_shared<Sphere>(place, lampRadius),
+                             .emission = std::make_shared<ConstantTexture>(Color::Constant(radiance))});
     return scene;
 }
 
