@@ -6,10 +6,10 @@ build/fuzz/ and its file is named.
 
 import argparse
 import subprocess
-import sys
 from collections import namedtuple
 from pathlib import Path
 
+from course_lib.benchmarks import end_with
 from course_lib.errors import CourseError
 from course_lib.packages import ensure_packages
 from course_lib.paths import BUILD, ROOT, shown
@@ -81,7 +81,4 @@ def main():
 
 
 if __name__ == "__main__":
-    try:
-        sys.exit(main())
-    except CourseError as error:
-        sys.exit(f"fuzz: {error}")
+    end_with(main, "fuzz")

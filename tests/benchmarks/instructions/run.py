@@ -8,15 +8,14 @@ import argparse
 import re
 import shutil
 import subprocess
-import sys
 
 from course_lib import cmake
+from course_lib.benchmarks import end_with, save_table
 from course_lib.errors import CourseError
-from course_lib.paths import FIGURES, program, shown
+from course_lib.paths import FIGURES, program
 from course_lib.terminal import Step, say, table
 
 CHAPTER = "07_path_tracing"
-TABLE = FIGURES / CHAPTER / "instructions.csv"
 SCENES = ("point lamp", "area lamp", "mirror", "glass", "absorption and textures")
 METHODS = {2: "path tracing with MIS", 3: "light tracing", 4: "bidirectional path tracing"}
 FEW, MANY = 1, 9  # paths a pixel
@@ -45,18 +44,12 @@ def main():
                 more = instructions(scene, method, MANY) - instructions(scene, method, FEW)
                 rows.append((name, f"up to {needs}", round(more / ((MANY - FEW) * PIXELS))))
                 step.progress(len(rows), len(SCENES) * len(METHODS))
-    TABLE.parent.mkdir(parents=True, exist_ok=True)
-    temporary = TABLE.with_name(".instructions.part.csv")
-    lines = [f"{name},{case},{value},instructions per path,counted by cachegrind\n" for name, case, value in rows]
-    temporary.write_text("method,case,value,unit,reference\n" + "".join(lines), newline="")
-    temporary.replace(TABLE)
     say(table((f"{name}, {case}", str(value)) for name, case, value in rows))
-    say(f"  the table is {shown(TABLE)}")
+    save_table(FIGURES / CHAPTER / "instructions.csv",
+               [("method", "case", "value", "unit", "reference"),
+                *((*row, "instructions per path", "counted by cachegrind") for row in rows)])
     return 0
 
 
 if __name__ == "__main__":
-    try:
-        sys.exit(main())
-    except CourseError as error:
-        sys.exit(f"instructions: {error}")
+    end_with(main, "instructions")

@@ -9,11 +9,11 @@ import argparse
 import json
 import re
 import subprocess
-import sys
 import tempfile
 from pathlib import Path
 
 from course_lib import cmake
+from course_lib.benchmarks import end_with, save_table
 from course_lib.errors import CourseError
 from course_lib.packages import ensure_packages
 from course_lib.paths import BUILD, FIGURES, program, shown
@@ -127,18 +127,13 @@ def main():
     rows = [["method", "ns_per_test", "tests", "ns_per_ray", "rays"],
             ["robust", *(f"{value:.1f}" for value in (min(ours_best)[0],)), ours["tests"], f"{min(ours_best)[1]:.1f}", rays],
             ["POV-Ray lathe", f"{1e9 * seconds / tests:.1f}", tests, f"{1e9 * seconds / rays:.1f}", rays]]
-    file = FIGURES / CHAPTER / "lathe.csv"
-    file.write_text("".join(",".join(map(str, row)) + "\n" for row in rows))
     say(f"  ours {rows[1][1]} ns a test ({rows[1][3]} a ray), POV-Ray {rows[2][1]} ns a test ({rows[2][3]} a ray): "
         f"{float(rows[2][1]) / float(rows[1][1]):.2f} times as fast a test")
     say(f"  of {rays} pixels {only} are hit by one of the two alone, {apart} more than {SAME} apart in height: "
         f"{shown(picture)}")
-    say(f"  the table is {shown(file)}")
+    save_table(FIGURES / CHAPTER / "lathe.csv", rows)
     return 0
 
 
 if __name__ == "__main__":
-    try:
-        sys.exit(main())
-    except CourseError as error:
-        sys.exit(f"lathe: {error}")
+    end_with(main, "lathe")

@@ -11,11 +11,11 @@ import csv
 import gzip
 import shutil
 import subprocess
-import sys
 import tarfile
 from pathlib import Path
 
 from course_lib import cmake
+from course_lib.benchmarks import end_with
 from course_lib.errors import CourseError
 from course_lib.packages import ensure_packages
 from course_lib.paths import BUILD, FIGURES, ROOT, build_dir, shown
@@ -78,7 +78,4 @@ def main():
 
 
 if __name__ == "__main__":
-    try:
-        sys.exit(main())
-    except CourseError as error:
-        sys.exit(f"rays: {error}")
+    end_with(main, "rays")

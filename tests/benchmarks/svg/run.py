@@ -8,16 +8,14 @@ size, a length by more than 0.1 %, or ours refuses more than 1 % of the files.
 """
 
 import argparse
-import csv
 import json
 import math
-import os
 import subprocess
-import sys
 import tempfile
 from pathlib import Path
 
 from course_lib import cmake
+from course_lib.benchmarks import end_with, save_table
 from course_lib.errors import CourseError
 from course_lib.packages import ensure_packages
 from course_lib.paths import FIGURES, ROOT, program, shown
@@ -106,13 +104,7 @@ def save(tally, circle, path):
             ("ours", f"{case}: largest difference of a length", tally.length[0], "of the length", reference),
             ("ours", "circle: length off by", circle[0], "of the length", "2 pi r"),
             ("Chromium", "circle: length off by", circle[1], "of the length", "2 pi r")]
-    path.parent.mkdir(parents=True, exist_ok=True)
-    temporary = path.with_name(f".{path.stem}.{os.getpid()}.part.csv")
-    with temporary.open("w", newline="") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(("method", "case", "value", "unit", "reference"))
-        writer.writerows(rows)
-    temporary.replace(path)
+    save_table(path, [("method", "case", "value", "unit", "reference"), *rows])
 
 
 def options():
@@ -146,7 +138,4 @@ def main():
 
 
 if __name__ == "__main__":
-    try:
-        sys.exit(main())
-    except CourseError as error:
-        sys.exit(f"svg: {error}")
+    end_with(main, "svg")

@@ -7,16 +7,15 @@ tracing is further off than it should be.
 
 import argparse
 import csv
-import sys
 
 from course_lib import cmake
+from course_lib.benchmarks import end_with, save_table
 from course_lib.errors import CourseError
-from course_lib.paths import BUILD, FIGURES, program, shown
+from course_lib.paths import BUILD, FIGURES, program
 from course_lib.process import run_visibly
 from course_lib.terminal import say
 
 CHAPTER = "07_path_tracing"
-TABLE = FIGURES / CHAPTER / "transport.csv"
 SECONDS = 10.0
 PIXELS = 256 * 256
 # What it should be after ten seconds, and what others had: SmallVCM's path tracing and bidirectional path tracing.
@@ -46,26 +45,18 @@ def main():
     code = run_visibly([program(CHAPTER), "--out", out, "--time", chosen.seconds, "--scene", "peers_box"])
     if code != 0:
         raise CourseError(f"{CHAPTER} stopped with exit code {code}; its own message stands above")
-    lines = ["method,seconds,samples_per_pixel,samples_per_second,error,error_unit,target,peer\n"]
+    lines = [["method", "seconds", "samples_per_pixel", "samples_per_second", "error", "error_unit", "target", "peer"]]
     missed = []
     for method, row in last_rows(out / CHAPTER / "timed_peers_box.csv").items():
         seconds, samples, error = float(row["time"]), int(row["samples"]), float(row["error"])
         target, peer = TARGETS.get(method, ("", ""))
-        lines.append(f"{method},{seconds},{samples},{samples * PIXELS / seconds:.0f},{error},{row['error_unit']},"
-                     f"{target},{peer}\n")
+        lines.append([method, seconds, samples, f"{samples * PIXELS / seconds:.0f}", error, row["error_unit"], target, peer])
         if target and chosen.seconds == SECONDS:
             say(f"  {method}: {error:.4f}, to be at most {target}; SmallVCM elsewhere {peer}")
             missed += [method] if error > target else []
-    TABLE.parent.mkdir(parents=True, exist_ok=True)
-    temporary = TABLE.with_name(".transport.part.csv")
-    temporary.write_text("".join(lines), newline="")
-    temporary.replace(TABLE)
-    say(f"  the table is {shown(TABLE)}")
+    save_table(FIGURES / CHAPTER / "transport.csv", lines)
     return 1 if missed else 0
 
 
 if __name__ == "__main__":
-    try:
-        sys.exit(main())
-    except CourseError as error:
-        sys.exit(f"transport: {error}")
+    end_with(main, "transport")
