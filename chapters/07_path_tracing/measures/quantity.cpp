@@ -5,6 +5,7 @@
 #include "figures.h"
 #include "image/picture_error.h"
 #include "integrator/ray_count_rows.h"
+#include "integrator/render.h"
 #include "measures/convergence_points.h"
 #include "measures/measured_scenes.h"
 #include "measures/missing_light.h"
