@@ -1,0 +1,40 @@
+#pragma once
+
+#include <algorithm>
+
+#include "editor/editor_model.h"
+
+namespace caustic::test {
+
+/// Two smooth segments and a corner.
+inline BezierSpline wave() {
+    return BezierSpline::fromControlPoints({{0, 0, 0},
+                                            {1, 2, 0},
+                                            {2, 2, 0},
+                                            {3, 0, 0},
+                                            {4, -2, 0},
+                                            {5, -1, 0},
+                                            {6, 0, 0},
+                                            {6, 1, 0},
+                                            {8, 1, 0},
+                                            {9, 0, 0}});
+}
+
+inline BezierSpline ring() {
+    return BezierSpline::fromControlPoints(
+        {{1, 0, 0}, {1, 1, 0}, {-1, 1, 0}, {-1, 0, 0}, {-1, -1, 0}, {1, -1, 0}, {1, 0, 0}}, true);
+}
+
+inline EditorModel modelOf(const BezierSpline& spline) { return EditorModel(spline, "test"); }
+
+/// The largest distance from places of one curve to the other one.
+inline Real distance(const BezierSpline& from, const EditorModel& to) {
+    Real largest = 0;
+    for (int i = 0; i <= 200; ++i) {
+        const Vec3 point = from.position(Real(i) / 200 * Real(from.segments().size()));
+        largest = std::max(largest, to.nearestPlace(point.head<2>())->distance);
+    }
+    return largest;
+}
+
+}  // namespace caustic::test
