@@ -121,8 +121,8 @@ endfunction()
 
 add_custom_target(headers COMMENT "Each header compiles by itself")
 
-# Each header compiles by itself: nothing comes before it, no precompiled header either. Only its syntax is checked, again when
-# it or a file that it includes changes. Target headers; not a part of `all`.
+# Each header compiles by itself (tools/check_header.py), again when it or a file that it includes changes. Target headers; not a
+# part of `all`.
 function(_caustic_check_header out header target)
   set(checked "${CMAKE_BINARY_DIR}/headers/${header}.checked")
   cmake_path(GET checked PARENT_PATH checked_folder)
@@ -131,14 +131,20 @@ function(_caustic_check_header out header target)
   set(ours "$<FILTER:${folders},INCLUDE,^${CMAKE_SOURCE_DIR}/>")
   set(foreign "$<FILTER:${folders},EXCLUDE,^${CMAKE_SOURCE_DIR}/>")
   set(definitions "$<TARGET_PROPERTY:${target},INTERFACE_COMPILE_DEFINITIONS>")
+  set(precompiled none)
+  if(TARGET caustic_precompiled_eigen)
+    set(precompiled "${CMAKE_BINARY_DIR}/CMakeFiles/caustic_precompiled_eigen.dir/cmake_pch.hxx")
+    set(needed caustic_precompiled_eigen)
+  endif()
+  string(TOUPPER "CMAKE_CXX_FLAGS_${CMAKE_BUILD_TYPE}" flags)
+  separate_arguments(flags UNIX_COMMAND "${CMAKE_CXX_FLAGS} ${${flags}}")
   add_custom_command(OUTPUT "${checked}"
-    COMMAND "${CMAKE_CXX_COMPILER}" -std=c++${CMAKE_CXX_STANDARD} "$<TARGET_PROPERTY:caustic_options,INTERFACE_COMPILE_OPTIONS>"
-      ${OpenMP_CXX_FLAGS}
+    COMMAND Python3::Interpreter "${CMAKE_SOURCE_DIR}/tools/check_header.py" "${CMAKE_SOURCE_DIR}/${header}" "${checked}" "${precompiled}"
+      "${CMAKE_CXX_COMPILER}" ${flags} "$<TARGET_PROPERTY:caustic_options,INTERFACE_COMPILE_OPTIONS>"
+      ${OpenMP_CXX_FLAGS} -std=c++${CMAKE_CXX_STANDARD} -Winvalid-pch
       "$<$<BOOL:${definitions}>:-D$<JOIN:${definitions},;-D>>" "$<$<BOOL:${ours}>:-I$<JOIN:${ours},;-I>>"
-      "$<$<BOOL:${foreign}>:-idirafter;$<JOIN:${foreign},;-idirafter;>>" -fsyntax-only -MD -MT "${checked}" -MF "${checked}.d"
-      -include "${CMAKE_SOURCE_DIR}/${header}" -x c++ /dev/null
-    COMMAND "${CMAKE_COMMAND}" -E touch "${checked}"
-    DEPENDS "${CMAKE_SOURCE_DIR}/${header}" DEPFILE "${checked}.d"
+      "$<$<BOOL:${foreign}>:-idirafter;$<JOIN:${foreign},;-idirafter;>>"
+    DEPENDS "${CMAKE_SOURCE_DIR}/${header}" "${CMAKE_SOURCE_DIR}/tools/check_header.py" ${needed} DEPFILE "${checked}.d"
     COMMENT "Checking ${header} by itself" COMMAND_EXPAND_LISTS VERBATIM)
   set(${out} "${checked}" PARENT_SCOPE)
 endfunction()
