@@ -45,12 +45,12 @@ std::vector<bool> within(double tolerance, double truth, std::initializer_list<d
     return right;
 }
 
-void chartFailures(const std::vector<FailureRow>& rows, FigureContext& context) {
+void drawFailureBars(const std::vector<FailureRow>& rows, FigureContext& context) {
     save(rows, context);
     context.sharedChart("failure_bars.gp", "failure.png");
 }
 
-void markFailures(const std::vector<FailureRow>& rows, FigureContext& context) {
+void drawFailureMarks(const std::vector<FailureRow>& rows, FigureContext& context) {
     save(rows, context);
     std::vector<std::string> fragile;
     for (const FailureRow& row : rows) {

@@ -56,9 +56,9 @@ std::vector<bool> within(double tolerance, double truth, std::initializer_list<d
 
 /// Writes failure.csv (method, case, failures, trials) and draws failure.png: a bar a method, below the kind of case
 /// that it was tried on. Rows of a kind have to stand together.
-void chartFailures(const std::vector<FailureRow>& rows, FigureContext& context);
+void drawFailureBars(const std::vector<FailureRow>& rows, FigureContext& context);
 
 /// The same for many kinds, or shares from next to nothing to all: a row a kind, a mark a method, a logarithmic axis.
-void markFailures(const std::vector<FailureRow>& rows, FigureContext& context);
+void drawFailureMarks(const std::vector<FailureRow>& rows, FigureContext& context);
 
 }  // namespace caustic

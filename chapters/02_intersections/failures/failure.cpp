@@ -166,7 +166,7 @@ void chartFailures(FigureContext& context) {
     addRow(rows, {"like directions"}, "uneven instance: normals", countWrongNormals(true, context.seed()));
     addRow(rows, {"inverse transpose", true}, "uneven instance: normals", countWrongNormals(false, context.seed()));
     context.progress().advance();
-    markFailures(rows, context);
+    drawFailureMarks(rows, context);
 }
 
 }  // namespace caustic

@@ -24,7 +24,7 @@ void chartFailures(FigureContext& context) {
     for (std::size_t set = 0; set < patchSets.size(); ++set) {
         add("patch: " + patchSets[set], examinePatches(set, rays / 4, context.seed(), context.threads()));
     }
-    markFailures(rows, context);
+    drawFailureMarks(rows, context);
 }
 
 }  // namespace caustic

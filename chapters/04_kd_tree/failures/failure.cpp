@@ -140,7 +140,7 @@ void chartFailures(FigureContext& context) {
                         findsCornerNormals}},
                       FailureTrials::of(context, 10'000));
     rows.insert(rows.end(), more.begin(), more.end());
-    markFailures(rows, context);
+    drawFailureMarks(rows, context);
 }
 
 }  // namespace caustic
