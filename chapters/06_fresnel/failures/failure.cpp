@@ -133,6 +133,6 @@ std::vector<FailureRow> failureRows(const FailureTrials& trials) {
         trials);
 }
 
-void chartFailures(FigureContext& context) { chartFailures(failureRows(FailureTrials::of(context, 2000)), context); }
+void chartFailures(FigureContext& context) { drawFailureBars(failureRows(FailureTrials::of(context, 2000)), context); }
 
 }  // namespace caustic
