@@ -1,16 +1,23 @@
-"""What the benchmarks in tests/benchmarks/ share: whole tables, counts that go on where they stopped, errors of one line."""
+"""What the benchmarks in tests/benchmarks/ share: whole tables, counts that go on where they stopped, errors of one line.
 
+A run.py says of itself, beside its docstring: CASES, what it measures on, and NEEDS, Debian packages besides those of the build.
+"""
+
+import argparse
 import csv
 import hashlib
 import io
 import json
 import os
 import sys
+from pathlib import Path
 
 from course_lib.errors import CourseError
 from course_lib.paths import BUILD, cores, program, shown
 from course_lib.process import output_of
 from course_lib.terminal import Step, say
+
+QUANTITY = ("method", "case", "value", "unit", "reference")  # the columns of quantity.csv
 
 
 def replace(path, text):
@@ -27,6 +34,19 @@ def save_table(path, rows):
     csv.writer(text, lineterminator="\n").writerows(rows)
     replace(path, text.getvalue())
     say(f"  the table is {shown(path)}")
+
+
+def option_parser(name, text):
+    """The options that every benchmark takes; text: its docstring."""
+    parser = argparse.ArgumentParser(prog=f"course bench {name}", description=text.partition("\n")[0])
+    parser.add_argument("--csv", type=Path, metavar="FILE", help=f"what was measured, as rows of {', '.join(QUANTITY)}")
+    return parser
+
+
+def save_quantities(path, rows):
+    """Writes rows of method, case, value, unit, reference to the file of --csv, if there is one."""
+    if path is not None:
+        save_table(path, [QUANTITY, *rows])
 
 
 def multiple_of(batch, rays):

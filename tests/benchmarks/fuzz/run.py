@@ -4,12 +4,11 @@ Ten minutes each; --seconds N takes another time. What is new to a reader joins 
 build/fuzz/ and its file is named.
 """
 
-import argparse
 import subprocess
 from collections import namedtuple
 from pathlib import Path
 
-from course_lib.benchmarks import end_with
+from course_lib.benchmarks import end_with, option_parser, save_quantities
 from course_lib.errors import CourseError
 from course_lib.packages import ensure_packages
 from course_lib.paths import BUILD, ROOT, shown
@@ -17,6 +16,8 @@ from course_lib.terminal import Step, say
 
 HERE = Path(__file__).resolve().parent
 FOLDER = BUILD / "fuzz"
+CASES = ("each reader of files",)
+NEEDS = ("clang",)
 Target = namedtuple("Target", "name sources libraries")
 TARGETS = (
     Target("obj", ["mesh/obj_file.cpp", "mesh/polygon.cpp", "mesh/mesh_data.cpp"], []),
@@ -30,7 +31,7 @@ FLAGS = ["-std=c++20", "-O1", "-g", "-ffp-contract=off", "-fsanitize=fuzzer,addr
 
 
 def options():
-    parser = argparse.ArgumentParser(prog="course bench fuzz", description=__doc__.partition("\n")[0])
+    parser = option_parser("fuzz", __doc__)
     parser.add_argument("--seconds", type=int, default=600, metavar="N", help="for each reader (600 by default)")
     return parser.parse_args()
 
@@ -77,6 +78,8 @@ def main():
     ensure_packages("bench")
     FOLDER.mkdir(parents=True, exist_ok=True)
     results = [fuzz(target, chosen.seconds) for target in TARGETS]
+    save_quantities(chosen.csv, [(f"{target.name} reader", f"libFuzzer, {chosen.seconds} s: ended without a find", int(good), "1", "1")
+                                 for target, good in zip(TARGETS, results)])
     return 0 if all(results) else 1
 
 

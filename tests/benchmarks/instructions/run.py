@@ -4,19 +4,20 @@ Counted by valgrind's cachegrind, as the difference of two runs with more and wi
 start isn't in it. Writes figures/07_path_tracing/instructions.csv.
 """
 
-import argparse
 import re
 import shutil
 import subprocess
 
 from course_lib import cmake
-from course_lib.benchmarks import end_with, save_table
+from course_lib.benchmarks import QUANTITY, end_with, option_parser, save_quantities, save_table
 from course_lib.errors import CourseError
 from course_lib.paths import FIGURES, program
 from course_lib.terminal import Step, say, table
 
 CHAPTER = "07_path_tracing"
 SCENES = ("point lamp", "area lamp", "mirror", "glass", "absorption and textures")
+CASES = ("path tracing, light tracing and bidirectional path tracing in five scenes",)
+NEEDS = ("valgrind",)
 METHODS = {2: "path tracing with MIS", 3: "light tracing", 4: "bidirectional path tracing"}
 FEW, MANY = 1, 9  # paths a pixel
 PIXELS = 32 * 32
@@ -33,7 +34,7 @@ def instructions(scene, method, samples):
 
 
 def main():
-    argparse.ArgumentParser(prog="course bench instructions", description=__doc__.partition("\n")[0]).parse_args()
+    chosen = option_parser("instructions", __doc__).parse_args()
     if shutil.which("valgrind") is None:
         raise CourseError("valgrind is missing, which counts the instructions; install Debian's package valgrind")
     cmake.build(targets=[CHAPTER])
@@ -45,9 +46,9 @@ def main():
                 rows.append((name, f"up to {needs}", round(more / ((MANY - FEW) * PIXELS))))
                 step.progress(len(rows), len(SCENES) * len(METHODS))
     say(table((f"{name}, {case}", str(value)) for name, case, value in rows))
-    save_table(FIGURES / CHAPTER / "instructions.csv",
-               [("method", "case", "value", "unit", "reference"),
-                *((*row, "instructions per path", "counted by cachegrind") for row in rows)])
+    rows = [(*row, "instructions per path", "counted by cachegrind") for row in rows]
+    save_table(FIGURES / CHAPTER / "instructions.csv", [QUANTITY, *rows])
+    save_quantities(chosen.csv, rows)
     return 0
 
 

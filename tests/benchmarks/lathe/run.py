@@ -5,7 +5,6 @@ cylinder in the lathe's place takes is subtracted: rays, textures and output. Wr
 figures/03_bezier_surfaces/lathe.csv, and the difference of the heights that were hit as build/bench/lathe.pgm.
 """
 
-import argparse
 import json
 import re
 import subprocess
@@ -13,7 +12,7 @@ import tempfile
 from pathlib import Path
 
 from course_lib import cmake
-from course_lib.benchmarks import end_with, save_table
+from course_lib.benchmarks import end_with, option_parser, save_quantities, save_table
 from course_lib.errors import CourseError
 from course_lib.packages import ensure_packages
 from course_lib.paths import BUILD, FIGURES, program, shown
@@ -21,6 +20,8 @@ from course_lib.process import output_of
 from course_lib.terminal import Step, say
 
 CHAPTER = "03_bezier_surfaces"
+CASES = ("a vase seen from outside",)
+NEEDS = ("povray",)
 WIDTH = 600
 ROUNDS = 5
 HEIGHT = 2  # of the vase: white in the picture
@@ -37,7 +38,7 @@ background {{ rgb <0, 0, 0> }}
 
 
 def options():
-    parser = argparse.ArgumentParser(prog="course bench lathe", description=__doc__.partition("\n")[0])
+    parser = option_parser("lathe", __doc__)
     parser.add_argument("--width", type=int, default=WIDTH, metavar="N", help=f"of the picture ({WIDTH} by default)")
     chosen = parser.parse_args()
     if not 16 <= chosen.width <= 2048:
@@ -132,6 +133,11 @@ def main():
     say(f"  of {rays} pixels {only} are hit by one of the two alone, {apart} more than {SAME} apart in height: "
         f"{shown(picture)}")
     save_table(FIGURES / CHAPTER / "lathe.csv", rows)
+    save_quantities(chosen.csv, [
+        *((row[0], "vase: a test of the shape", row[1], "ns", "POV-Ray") for row in rows[1:]),
+        *((row[0], "vase: a ray", row[3], "ns", "POV-Ray") for row in rows[1:]),
+        ("robust", "vase: hit by one of the two alone", only, f"of {rays} pixels", "POV-Ray"),
+        ("robust", f"vase: heights more than {SAME} apart", apart, f"of {rays} pixels", "POV-Ray")])
     return 0
 
 

@@ -5,25 +5,26 @@ number. Writes figures/02_intersections/leaks.csv; fails when the watertight tes
 build/bench/ after each million, so that a run that was stopped goes on where it was.
 """
 
-import argparse
-
 from course_lib import cmake
-from course_lib.benchmarks import count_in_batches, end_with, multiple_of, save_table
+from course_lib.benchmarks import count_in_batches, end_with, multiple_of, option_parser, save_quantities, save_table
 from course_lib.paths import FIGURES
 from course_lib.terminal import say
 
 CHAPTER = "02_intersections"
+CASES = ("closed mesh: rays at edges", "closed mesh: rays at vertices")
+NEEDS = ()
 RAYS = 100_000_000
 BATCH = 1_000_000  # rays of a call: for each test and aim
 ROBUST = "watertight"
 
 
 def options():
-    parser = argparse.ArgumentParser(prog="course bench leaks", description=__doc__.partition("\n")[0])
+    parser = option_parser("leaks", __doc__)
     parser.add_argument("--rays", type=int, default=RAYS, metavar="N",
                         help=f"for each test at edges and as many at vertices; millions ({RAYS} by default)")
     chosen = parser.parse_args()
-    return multiple_of(BATCH, chosen.rays)
+    chosen.rays = multiple_of(BATCH, chosen.rays)
+    return chosen
 
 
 def totals(batches):
@@ -38,7 +39,8 @@ def totals(batches):
 
 
 def main():
-    rays = options()
+    chosen = options()
+    rays = chosen.rays
     cmake.build(targets=[CHAPTER])
     sums = totals(count_in_batches(CHAPTER, "--leaks", BATCH, rays, f"aim {rays:,} rays at edges, and at vertices"))
 
@@ -47,6 +49,8 @@ def main():
     for (method, aim), (leaks, rays) in sums.items():
         say(f"  {method:<32} {aim:<9} {leaks:>11,} of {rays:,} leak")
     save_table(FIGURES / CHAPTER / "leaks.csv", lines)
+    save_quantities(chosen.csv, [(method, case, leaks, f"leaks of {rays} rays", "a closed mesh lets none out")
+                                 for method, case, leaks, rays in lines[1:]])
     return 1 if any(leaks for (method, _), (leaks, _) in sums.items() if method == ROBUST) else 0
 
 

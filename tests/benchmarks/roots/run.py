@@ -6,14 +6,14 @@ more than 1e-12 of the size. What is counted is kept in build/bench/ after each 
 goes on where it was.
 """
 
-import argparse
-
 from course_lib import cmake
-from course_lib.benchmarks import count_in_batches, end_with, multiple_of, save_table
+from course_lib.benchmarks import count_in_batches, end_with, multiple_of, option_parser, save_quantities, save_table
 from course_lib.paths import FIGURES
 from course_lib.terminal import say
 
 CHAPTER = "03_bezier_surfaces"
+CASES = ("random and adversarial rays at surfaces of revolution and patches",)
+NEEDS = ()
 RAYS = 10_000_000
 BATCH = 10_000  # random rays of a call
 SUMMED = ("rays", "meetings", "misses", "falseHits", "raysInBand")
@@ -21,11 +21,12 @@ MOST_DISTANCE = 1e-12
 
 
 def options():
-    parser = argparse.ArgumentParser(prog="course bench roots", description=__doc__.partition("\n")[0])
+    parser = option_parser("roots", __doc__)
     parser.add_argument("--rays", type=int, default=RAYS, metavar="N",
                         help=f"random rays at each kind of surface; a multiple of {BATCH} ({RAYS} by default)")
     chosen = parser.parse_args()
-    return multiple_of(BATCH, chosen.rays)
+    chosen.rays = multiple_of(BATCH, chosen.rays)
+    return chosen
 
 
 def totals(batches):
@@ -43,7 +44,8 @@ def totals(batches):
 
 
 def main():
-    rays = options()
+    chosen = options()
+    rays = chosen.rays
     cmake.build(targets=[CHAPTER])
     sums = totals(count_in_batches(CHAPTER, "--roots", BATCH, rays,
                                    f"hold {rays:,} random rays at each kind of surface against subdivision"))
@@ -55,6 +57,11 @@ def main():
         wrong = [entry["nearest"].get(method, {}).get("failures", "") for method in methods]
         lines.append([entry["surface"], entry["set"], *(entry[key] for key in SUMMED), entry["worstDistance"], *wrong])
     save_table(FIGURES / CHAPTER / "roots.csv", lines)
+    save_quantities(chosen.csv, [
+        ("robust", f"{entry['surface']}, {entry['set']}: {what}", entry[key], unit, "brute-force subdivision")
+        for entry in sums for what, key, unit in (("missed", "misses", f"of {entry['meetings']} meetings"),
+                                                  ("invented", "falseHits", f"of {entry['meetings']} meetings"),
+                                                  ("off by at most", "worstDistance", "of the size"))])
 
     bad = 0
     for entry in sums:

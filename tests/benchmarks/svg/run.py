@@ -23,6 +23,8 @@ from course_lib.terminal import Step, say
 from docs.browser import Browser
 
 CHAPTER = "01_bezier_curves"
+CASES = ("icon theme and files from the field", "circle")
+NEEDS = ("chromium", "adwaita-icon-theme")
 ICONS = Path("/usr/share/icons/Adwaita")
 FIELD = ROOT / "tests" / CHAPTER / "field"
 LARGEST_DISTANCE = 5e-4

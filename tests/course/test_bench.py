@@ -1,0 +1,52 @@
+"""./course bench: what the benchmarks say of themselves, and that each can write what it measured."""
+
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+from commands.bench import benchmarks, listing
+from course_lib.benchmarks import save_quantities
+from course_lib.packages import read_packages
+from course_lib.paths import ROOT
+
+
+class Benchmarks(unittest.TestCase):
+    def test_each_states_what_it_does_its_cases_and_what_it_needs(self):
+        packages = {package.name for package in read_packages()}
+        known = benchmarks()
+        self.assertGreaterEqual(len(known), 8)
+        for benchmark in known.values():
+            with self.subTest(benchmark.name):
+                self.assertTrue(benchmark.what and benchmark.cases)
+                for need in benchmark.needs:
+                    self.assertTrue(need in packages or " " in need, f"{need} is not in packages.txt")
+
+    def test_help_lists_them(self):
+        text = listing(benchmarks())
+        for name in benchmarks():
+            self.assertIn(f"\n  {name} ", text)
+        self.assertIn("needs: povray\n", text)
+
+    def test_each_takes_csv(self):
+        environment = {**os.environ, "PYTHONPATH": str(ROOT / "tools")}
+        for name in benchmarks():
+            with self.subTest(name):
+                script = ROOT / "tests" / "benchmarks" / name / "run.py"
+                shown = subprocess.run([sys.executable, "-B", script, "--help"], env=environment, capture_output=True, text=True)
+                self.assertEqual(shown.returncode, 0, shown.stderr)
+                self.assertIn("--csv FILE", shown.stdout)
+
+    def test_what_was_measured_is_written_as_quantities(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "new" / "rays.csv"
+            save_quantities(path, [("8-wide BVH", "bunny, primary: ratio to Embree", 0.92, "1", "Embree")])
+            self.assertEqual(path.read_text(), "method,case,value,unit,reference\n"
+                                               '8-wide BVH,"bunny, primary: ratio to Embree",0.92,1,Embree\n')
+            save_quantities(None, [])
+
+
+if __name__ == "__main__":
+    unittest.main()
