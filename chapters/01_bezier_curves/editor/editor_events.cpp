@@ -78,15 +78,7 @@ void Editor::key(int code) try {
 }
 
 void Editor::act(int code) {
-    if (!choices_.empty()) {
-        if (code == editor_key::escape) {
-            choices_.clear();
-            return say("");
-        }
-        if (code >= '1' && code <= '9') choose(static_cast<std::size_t>(code - '1'));
-        return;
-    }
-    const Real step = Real(0.01);
+    if (!choices_.empty()) return answer(code);
     switch (code) {
         case 'a':
             adding_ = true;
@@ -125,6 +117,22 @@ void Editor::act(int code) {
             adding_ = false;
             selected_.reset();
             return say("");
+        default:
+            return look(code);
+    }
+}
+
+void Editor::answer(int code) {
+    if (code == editor_key::escape) {
+        choices_.clear();
+        return say("");
+    }
+    if (code >= '1' && code <= '9') choose(static_cast<std::size_t>(code - '1'));
+}
+
+void Editor::look(int code) {
+    const Real step = Real(0.01);
+    switch (code) {
         case ',':
             return setU(u_ - step);
         case '.':
