@@ -1,7 +1,7 @@
 #pragma once
 
 #include "curve/bezier_patch.h"
-#include "sampling/discrete_distribution.h"
+#include "shape/area_cells.h"
 #include "shape/shape.h"
 #include "surface/patch_roots.h"
 
@@ -32,7 +32,7 @@ private:
     BezierPatch patch_;
     Bounds3 bounds_;
     Real magnitude_;
-    DiscreteDistribution cells_;
+    AreaCells cells_;
 };
 
 }  // namespace caustic

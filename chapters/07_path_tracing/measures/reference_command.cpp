@@ -22,7 +22,6 @@ namespace caustic {
 
 namespace {
 
-constexpr const char* causticOnFloor = "caustic_floor";
 constexpr int causticWidth = 128;
 constexpr std::int64_t photonsARound = 4'000'000;
 
@@ -76,19 +75,12 @@ std::array<Image, 2> halves(const std::function<Image(std::uint64_t seed)>& roun
 
 }  // namespace
 
-std::vector<std::string> referenceNames() {
-    std::vector<std::string> names;
-    for (const EqualTimePicture& one : equalTimePictures())
-        names.push_back(std::filesystem::path(one.asset).stem().string());
-    names.emplace_back(causticOnFloor);
-    return names;
-}
-
-void makeReference(const std::string& picture, double minutes, const ChapterInputs& chapter,
+void makeReference(const std::string& picture, const std::string& minutes, const ChapterInputs& chapter,
                    const ChapterOptions& options) {
+    const double limit = positiveNumber(minutes, "--minutes");
     std::function<Image(std::uint64_t)> round;
     std::vector<bool> leftOut;
-    if (picture == causticOnFloor) {
+    if (picture == "caustic_floor") {
         round = [&](std::uint64_t seed) {
             return causticReference({}, causticWidth, photonsARound, options.threads, seed);
         };
@@ -104,8 +96,8 @@ void makeReference(const std::string& picture, double minutes, const ChapterInpu
             return render(*tracer, {.passes = 4, .threads = options.threads}).film.image();
         };
     }
-    checkArgument(round != nullptr, "references", picture, "there is none of that name");
-    const auto [first, second] = halves(round, minutes);
+    checkArgument(round != nullptr, "--reference", picture, "must be peers_box, caustic_mirror or caustic_floor");
+    const auto [first, second] = halves(round, limit);
     saveImage(chapter.sourceDir / "assets/references" / (picture + ".exr"), average(first, second));
     std::printf("its own error, from the halves' difference: RMSE %.5f\n", rmse(first, second, leftOut) / 2);
 }

@@ -28,7 +28,9 @@ std::string fileName(const std::string& name) {
 
 }  // namespace
 
-void renderTimed(double seconds, const std::string& name, const ChapterInputs& chapter, const ChapterOptions& options) {
+void renderTimed(const std::string& seconds, const std::string& name, const ChapterInputs& chapter,
+                 const ChapterOptions& options) {
+    const double limit = positiveNumber(seconds, "--time");
     const MeasuredScene& measured = measuredScene(name);
     const int width = measured.width;
     const std::filesystem::path folder = options.out / chapter.name;
@@ -50,7 +52,7 @@ void renderTimed(double seconds, const std::string& name, const ChapterInputs& c
             if (powerOfTwo(soFar.passes)) enter(soFar);
             return true;
         };
-        const Rendering rendering = render(*integrator, {.seconds = seconds, .look = look});
+        const Rendering rendering = render(*integrator, {.seconds = limit, .look = look});
         if (!powerOfTwo(rendering.passes)) enter(rendering);
         const Image picture = rendering.film.image();
         const Real error = rmse(picture, reference, leftOut);
