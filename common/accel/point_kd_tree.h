@@ -41,12 +41,19 @@ public:
     /// Finds the k nearest points; fewer if there are no more within the radius.
     /// @param radius  points farther away don't count; may be infinite
     /// @param found   set to what is found: places
-    void nearest(const Vec3& query, std::size_t k, Real radius, NearestPoints& found) const {
-        found.start(k, radius * radius);
-        search(query, found.mostSquared(), [&found](const NearPoint& point) {
-            found.offer(point);
+    /// @param counts  bool(std::uint32_t place): only points for which it holds count
+    template <typename Counts>
+    void nearest(const Vec3& query, std::size_t k, Real radius, NearestPoints& found, const Counts& counts) const {
+        found.start(k, radius >= 0 ? radius * radius : -1);
+        search(query, found.mostSquared(), [&found, &counts](const NearPoint& point) {
+            if (counts(point.place)) found.offer(point);
             return found.mostSquared();
         });
+    }
+
+    /// The same, all points counting.
+    void nearest(const Vec3& query, std::size_t k, Real radius, NearestPoints& found) const {
+        nearest(query, k, radius, found, [](std::uint32_t) { return true; });
     }
 
     /// Calls visit(const NearPoint&) for each point within a radius, the border included, in no particular order.
