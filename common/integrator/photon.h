@@ -23,6 +23,7 @@ struct Photon {
     Vec3 point = Vec3::Zero();    ///< where
     Vec3 wi = Vec3::UnitZ();      ///< unit direction to where it came from
     Color power = Color::Zero();  ///< that it brings, W
+    Vec3 ng = Vec3::UnitZ();      ///< unit geometric normal of the surface
     int length = 0;               ///< segments from the lamp
     PhotonWay way = PhotonWay::Direct;
 };

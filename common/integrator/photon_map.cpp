@@ -10,6 +10,8 @@ namespace caustic {
 
 namespace {
 
+constexpr Real mostTurned = 0.5;  // cosine between the normals of two places of one surface
+
 std::vector<Vec3> pointsOf(std::span<const Photon> photons) {
     std::vector<Vec3> points;
     points.reserve(photons.size());
@@ -17,10 +19,12 @@ std::vector<Vec3> pointsOf(std::span<const Photon> photons) {
     return points;
 }
 
-// Whether light from there can be scattered to where the surface is seen from.
-bool lightsSeenSide(const Interaction& at, const Photon& photon) {
-    if (anyOf(at.bsdf()->lobes(), LobeFlags::Transmission)) return true;
+// Whether the photon is on the same surface, as far as normals tell, and on the side that is seen: photons of a wall
+// that stands on a floor say nothing of the floor.
+bool lights(const Photon& photon, const Interaction& at) {
     const Vec3& ng = at.hit().ng;
+    if (photon.ng.dot(ng) < mostTurned) return false;
+    if (anyOf(at.bsdf()->lobes(), LobeFlags::Transmission)) return true;
     return (photon.wi.dot(ng) >= 0) == (at.wo().dot(ng) >= 0);
 }
 
@@ -45,7 +49,7 @@ PhotonMap::PhotonMap(std::span<const Photon> photons) : tree_(pointsOf(photons))
 PhotonMap::Neighbours PhotonMap::neighbours(const Interaction& at, const DensitySettings& settings) const {
     //! [ex-08.6]
     Neighbours found = {{}, settings.radius * settings.radius};
-    const auto counts = [&](std::uint32_t place) { return lightsSeenSide(at, photons_[place]); };
+    const auto counts = [&](std::uint32_t place) { return lights(photons_[place], at); };
     if (!settings.nearest) {
         tree_.within(at.point(), settings.radius, [&](const NearPoint& near) {
             if (counts(near.place)) found.photons.push_back(near);

@@ -50,7 +50,8 @@ public:
     /// right in the mean: the expected value of k/(π r²) is the density if r is the distance of photon k + 1, and with
     /// that of photon k it is larger by k/(k − 1). When no more than k are within the radius, they stand for all of it.
     ///
-    /// Photons count that light the side of the surface which is seen; of a surface that lets light through, all do.
+    /// Photons count that lie on a surface which faces the same way, within 60°, and light the side that is seen; of a
+    /// surface that lets light through, both sides.
     /// @param at  a surface that is connectible()
     Neighbours neighbours(const Interaction& at, const DensitySettings& settings) const;
 

@@ -33,7 +33,7 @@ public:
         //! [ex-08.2]
         const bool wanted = way_ != PhotonWay::Direct || settings_.direct;
         if (wanted && at.isSurface() && at.connectible())
-            batch_.photons.push_back({at.point(), at.wo(), share_ * path.beta, path.length, way_});
+            batch_.photons.push_back({at.point(), at.wo(), share_ * path.beta, at.hit().ng, path.length, way_});
         if (path.length > settings_.splits || at.bsdf() == nullptr) return true;
         split(at, path);
         return false;

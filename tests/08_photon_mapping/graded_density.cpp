@@ -98,8 +98,8 @@ struct Place {
     }
 };
 
-Photon photonAt(const Vec3& point, const Vec3& wi, const Color& power = Color(1, 2, 3)) {
-    return {point, wi, power, 1, PhotonWay::Direct};
+Photon photonAt(const Vec3& point, const Vec3& wi, const Vec3& ng, const Color& power = Color(1, 2, 3)) {
+    return {point, wi, power, ng, 1, PhotonWay::Direct};
 }
 
 // Photons at the distances 0.1, 0.2, 0.3 … in all directions, all from above.
@@ -107,7 +107,7 @@ std::vector<Photon> spiral(const Place& place, int count) {
     std::vector<Photon> photons;
     for (int i = 1; i <= count; ++i)
         photons.push_back(photonAt(place.at(0.1 * i * std::cos(2.4 * i), 0.1 * i * std::sin(2.4 * i)),
-                                   place.frame().toWorld(Vec3(0.6, 0, 0.8))));
+                                   place.frame().toWorld(Vec3(0.6, 0, 0.8)), place.frame().n));
     return photons;
 }
 
@@ -190,6 +190,23 @@ TEST(Neighbours, CountOnTheSideThatIsSeen) {
     }
 }
 
+// Photons of a wall that stands on a floor don't light the floor; those of a gentle slope do.
+TEST(Neighbours, LieOnTheSameSurface) {
+    const Place place;
+    const Scene scene = place.scene();
+    std::vector<Photon> photons = spiral(place, 12);
+    for (std::size_t i = 0; i < 12; ++i) {
+        const Frame frame = place.frame();
+        const bool slope = i % 2 == 0;
+        photons.push_back(photons[i]);
+        photons.back().point = place.center() + 0.98 * (photons[i].point - place.center());
+        photons.back().ng = slope ? Vec3(0.6 * frame.s + 0.8 * frame.n) : Vec3(0.96 * frame.t + 0.28 * frame.n);
+    }
+    const PhotonMap map(photons);
+    EXPECT_EQ(map.neighbours(place.interaction(scene), {.nearest = {}, .radius = 0.85}).photons.size(), 12U)
+        << "Do photons of another surface count?";
+}
+
 // Σ f Φ over the disc's area. A diffuse surface reflects ρ/π of whatever comes.
 TEST(Density, IsPowerOverArea) {
     const Color rho(0.3, 0.9, 0.6);
@@ -231,8 +248,8 @@ TEST(Density, EachPhotonIsScatteredFromWhereItCame) {
     const Scene scene = place.scene();
     const Interaction at = place.interaction(scene);
     std::vector<Photon> photons = {
-        photonAt(place.at(0.1, 0), place.frame().toWorld(Vec3(-0.48, -0.36, 0.8)), Color(5, 1, 2)),
-        photonAt(place.at(0, 0.2), place.frame().toWorld(Vec3(0.6, 0, 0.8)), Color(1, 7, 2))};
+        photonAt(place.at(0.1, 0), place.frame().toWorld(Vec3(-0.48, -0.36, 0.8)), place.frame().n, Color(5, 1, 2)),
+        photonAt(place.at(0, 0.2), place.frame().toWorld(Vec3(0.6, 0, 0.8)), place.frame().n, Color(1, 7, 2))};
     Color expected = Color::Zero();
     for (const Photon& photon : photons)
         expected += at.bsdf()->f(at.wo(), photon.wi, TransportMode::Radiance) * photon.power;
@@ -258,7 +275,7 @@ TEST(Density, SmoothNormalsScatterByTheirOwnCosine) {
     const Interaction at = *scene.follow({Vec3(0.5, 1, 0), -Vec3::UnitY()}, media, passed, counts);
     ASSERT_NEAR(at.hit().ns.dot(ns), 1, 1e-9);
     const Vec3 wi(0.6, 0.8, 0);
-    const PhotonMap map(std::vector<Photon>{photonAt(Vec3(0.6, 0, 0), wi)});
+    const PhotonMap map(std::vector<Photon>{photonAt(Vec3(0.6, 0, 0), wi, Vec3::UnitY())});
     const Color found = map.radiance(at, {.nearest = {}, .radius = 0.3});
     EXPECT_NEAR(found.x(), 0.5 / pi * wi.dot(ns) / 0.8 / (pi * 0.09), 1e-9)
         << "Which cosine is in it, and which is divided by?";
