@@ -36,8 +36,9 @@ PointKdTree::PointKdTree(std::span<const Vec3> points) {
     if (points.empty()) return;
     Bounds3 box;
     for (const Vec3& point : points) {
-        checkArgument(point.cwiseAbs().maxCoeff() <= farthest, "a point's coordinate",
-                      formatReal(point.cwiseAbs().maxCoeff()), "must be finite and at most 1e150");
+        checkArgument((point.array().abs() <= farthest).all(), "a point's coordinates",
+                      formatReal(point.x()) + ", " + formatReal(point.y()) + ", " + formatReal(point.z()),
+                      "must be finite and at most 1e150");
         box.extend(point);
     }
     center_ = box.center();

@@ -1,5 +1,3 @@
-#include "figure/failures.h"
-
 #include <cmath>
 #include <numbers>
 
@@ -274,22 +272,22 @@ std::vector<FailureRow> failureRows(const FailureTrials& trials) {
         {{"edge: within a centimetre of a table's edge", {everything, sampled}, tableEdge},
          {"corner: on a floor within a centimetre of a wall", {everything, sampled}, corner},
          {"leak: in the dark behind a thin wall",
-          {everything, {"direct light sampled, indirect looked up"}, {"final gather", true}},
+          {everything, {"indirect light looked up"}, {"final gather", true}},
           thinWall},
          {"blur: in the dark beside a caustic",
           {{"40 nearest photons"}, {"photons within 1.5 cm", true}},
           besideCaustic},
-         {"specular–diffuse–specular: a spot by a mirror, seen in it",
+         {"specular–diffuse–specular: a spot by a mirror and seen in it",
           {{"path tracing with MIS"}, {"bidirectional path tracing"}, {"photon mapping", true}},
           causticInMirror},
          {"lamp in glass: a floor under it", {{"path tracing with MIS"}, {"photon mapping", true}}, lampInGlass},
          {"wrong side: a plate lit from behind", {textbook, ours}, fromBehind},
          {"fewer photons than k", {textbook, ours}, fewerThanK},
-         {"one photon, at the very place", {textbook, ours}, onePhoton},
+         {"one photon at the very place", {textbook, ours}, onePhoton},
          {"no photon within reach", {textbook, ours}, noPhoton}},
         trials);
 }
 
-void chartFailures(FigureContext& context) { chartFailures(failureRows(FailureTrials::of(context, 1000)), context); }
+void chartFailures(FigureContext& context) { drawFailureBars(failureRows(FailureTrials::of(context, 1000)), context); }
 
 }  // namespace caustic

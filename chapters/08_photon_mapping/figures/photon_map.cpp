@@ -15,10 +15,13 @@ namespace {
 
 constexpr int shownSide = 420;
 
-// Each photon that is in view, as a dot in the colour of its power.
+// Some of the photons, those that are in view, as dots in the colour of their power.
 Image photonsAsDots(const Scene& scene, std::span<const Photon> photons, int side) {
     Image dots(side, side);
-    for (const Photon& photon : photons) {
+    // Places in the tree say nothing of the order in which photons came: every n-th is a fair choice.
+    const std::size_t step = photons.size() / static_cast<std::size_t>(side * side / 2) + 1;
+    for (std::size_t i = 0; i < photons.size(); i += step) {
+        const Photon& photon = photons[i];
         const auto seen = scene.camera().sampleImportance(photon.point, {0.5, 0.5});
         if (!seen) continue;
         // A hair's breadth before the surface, or it would hide its own photons.
@@ -28,7 +31,7 @@ Image photonsAsDots(const Scene& scene, std::span<const Photon> photons, int sid
         const auto x = static_cast<int>(seen->film.x());
         const auto y = static_cast<int>(seen->film.y());
         if (x < 0 || x >= side || y < 0 || y >= side) continue;
-        dots.set(x, y, (dots.at(x, y) + 0.45 * photon.power / photon.power.maxCoeff()).min(1));
+        dots.set(x, y, (dots.at(x, y) + 0.4 * photon.power / photon.power.maxCoeff()).min(1));
     }
     return dots;
 }
@@ -48,7 +51,7 @@ void drawPhotonMap(FigureContext& context) {
     context.progress().expect(2 * progressSteps);
     PhotonMapper alone(scene, sampler, filter, settings, context.threads());
     const Image dots = photonsAsDots(scene, alone.map().photons(), side);
-    const Image looked = pictureBy(alone, context.byQuality(1, 4), context);
+    const Image looked = renderImage(alone, context.byQuality(1, 4), context, &context.progress());
     settings.use = MapUse::Indirect;
     settings.caustics = {.nearest = 60, .radius = 0.05};
     const Image sampled = photonPicture(scene, settings, context.byQuality(1, 9), context);

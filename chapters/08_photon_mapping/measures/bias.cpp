@@ -40,9 +40,9 @@ BiasAndNoise apart(const std::vector<Image>& pictures, const Image& reference) {
 
 void chartBias(FigureContext& context) {
     const FloorCaustic floor(context);
-    const std::vector<int> ks = {2, 4, 8, 16, 32, 64, 128, 256, 512, 1024};
-    const std::int64_t photons = context.byQuality(8'000, 128'000);
-    const int maps = context.byQuality(4, 12);
+    const std::vector<int> ks = {2, 4, 8, 16, 32, 64, 128, 256, 512};
+    const std::int64_t photons = context.byQuality(8'000, 64'000);
+    const int maps = context.byQuality(4, 8);
     CsvTable table({"method", "setting", "bias", "noise", "error_unit"});
     const std::vector<std::pair<std::string, Real>> filters = {{"no filter", 0}, {"cone filter", 1}};
     const std::size_t runs = filters.size() * ks.size();

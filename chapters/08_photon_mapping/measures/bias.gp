@@ -2,9 +2,10 @@
 set terminal pngcairo size 1400,900
 file = folder."/bias.csv"
 array filters[2] = ["no filter", "cone filter"]
-set title "Blur or noise: how many photons to ask for\n{/*0.75 the caustic of a glass ball, the same number of photons for all; the mean of many maps against the reference, and how maps scatter}" font ",20"
+set title "Blur or noise: how many photons to ask for\n{/*0.75 the caustic of a glass ball, as many photons for all; bias: of the mean of many maps; noise: of one}" font ",20"
 set datafile missing NaN
 set logscale xy
+set xrange [1.5:700]
 set xlabel "k, photons of an estimate"
 set ylabel "error of the radiance, rms"
 set grid xtics ytics

@@ -8,8 +8,8 @@
 
 namespace caustic {
 
-/// The caustic of chapter 07's glass ball on its floor, and the picture of it that a program made which knows this scene
-/// alone and shares no code with any renderer.
+/// The caustic of chapter 07's glass ball on its floor, and the picture of it that a program made which knows this
+/// scene alone and shares no code with any renderer.
 class FloorCaustic {
 public:
     /// Pixels of a side.

@@ -56,7 +56,7 @@ std::vector<Measured> methods(const FloorCaustic& floor, FigureContext& context)
     static const BoxFilter filter;
     return {byPhotons(floor, "20 nearest photons", {.nearest = 20, .radius = farthest}, photons),
             byPhotons(floor, "100 nearest photons", {.nearest = 100, .radius = farthest}, photons),
-            byPhotons(floor, "100 nearest, cone filter", {.nearest = 100, .radius = farthest, .cone = 1}, photons),
+            byPhotons(floor, "100 nearest with cone filter", {.nearest = 100, .radius = farthest, .cone = 1}, photons),
             byPhotons(floor, "photons within 3 cm", {.nearest = {}, .radius = 0.03}, photons),
             {"path tracing with MIS", "samples", paths,
              [&scene](std::int64_t samples, std::uint64_t seed) {

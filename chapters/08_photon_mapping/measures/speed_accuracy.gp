@@ -1,7 +1,7 @@
 # A line a method, a mark a count of photons or paths.
 set terminal pngcairo size 1400,900
 file = folder."/speed_accuracy.csv"
-array methods[6] = ["20 nearest photons", "100 nearest photons", "100 nearest, cone filter", "photons within 3 cm", "path tracing with MIS", "bidirectional path tracing"]
+array methods[6] = ["20 nearest photons", "100 nearest photons", "100 nearest with cone filter", "photons within 3 cm", "path tracing with MIS", "bidirectional path tracing"]
 set title "What time buys: the caustic of a glass ball on a floor, 32 × 32 pixels\n{/*0.75 against a program for this scene alone; each mark has four times the photons or paths of the one before}" font ",20"
 set datafile missing NaN
 set logscale xy
