@@ -76,6 +76,10 @@ function(caustic_precompile target)
   add_library(${target} OBJECT "${CMAKE_BINARY_DIR}/precompiled.cpp")
   target_link_libraries(${target} PRIVATE caustic_options ${arg_LIBRARIES})
   target_precompile_headers(${target} PRIVATE ${arg_HEADERS})
+  if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+    # ccache gives a tree what another one compiled, whose generated files have other times.
+    target_compile_options(${target} PRIVATE "SHELL:-Xclang -fno-pch-timestamp")
+  endif()
 endfunction()
 
 # Lets a target of ours use what caustic_precompile made, if that was called.

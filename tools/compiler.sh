@@ -18,6 +18,7 @@ done
 
 rm -f "$made" "$made.sum"  # an older one would be read while the new one is made
 "$@" || exit
+command -v sha256sum >/dev/null || exit 0 # then ccache reads it all
 {
     printf '%s\n' "$@" | grep -v /
     sed 's/^[^:]*://; s/\\$//' "$opened" | xargs cat

@@ -7,6 +7,7 @@
 
 int main(int argc, char** argv) {
     using namespace caustic;
+    std::string profile;
     return runChapter(
         thisChapter, argc, argv,
         {
@@ -22,8 +23,10 @@ int main(int argc, char** argv) {
             {"quantity", tabulateQuantities},
         },
         {
-            {"--inspect", "FILE[#PATH]",
-             "Print the curves of a profile (control points or SVG) as JSON; #id or #number chooses a path",
-             [](const std::string& profile, const ChapterOptions&) { inspectProfile(profile, std::cout); }},
+            {.argument =
+                 {"--inspect", "FILE[#PATH]",
+                  "Print the curves of a profile (control points or SVG) as JSON; #id or #number chooses a path",
+                  TextValue{&profile}},
+             .run = [&](const ChapterOptions&) { inspectProfile(profile, std::cout); }},
         });
 }

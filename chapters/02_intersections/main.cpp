@@ -7,6 +7,7 @@
 
 int main(int argc, char** argv) {
     using namespace caustic;
+    std::int64_t rays = 0;
     return runChapter(
         thisChapter, argc, argv,
         {
@@ -20,11 +21,11 @@ int main(int argc, char** argv) {
             {"quantity", tabulateQuantities},
         },
         {
-            {"--leaks", "RAYS",
-             "Aim so many rays at the edges of closed meshes and so many at their vertices; print as JSON how "
-             "many of them each triangle test lets out",
-             [](const std::string& rays, const ChapterOptions& options) {
-                 printLeaks(rays, options.seed, options.threads, std::cout);
-             }},
+            {.argument = {"--leaks", "RAYS",
+                          "Aim so many rays at the edges of closed meshes and so many at their vertices; print as JSON "
+                          "how many of them each triangle test lets out",
+                          RangedValue<std::int64_t>{&rays, 1, 1'000'000'000}},
+             .run = [&](const ChapterOptions& options) { printLeaks(rays, options.seed, options.threads, std::cout); },
+             .uses = {"--seed", "--threads"}},
         });
 }

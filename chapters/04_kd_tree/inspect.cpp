@@ -85,6 +85,7 @@ void inspectMesh(const std::filesystem::path& file, std::uint64_t seed, std::ost
     const Bounds3 box = boundsOf(*mesh);
     Json json = {{"file", file.string()},
                  {"vertices", mesh->positions.size()},
+                 {"unusedVertices", unusedVertices(*mesh)},
                  {"triangles", mesh->triangles.size()},
                  {"normals", mesh->normals.size()},
                  {"textureCoordinates", mesh->uvs.size()},

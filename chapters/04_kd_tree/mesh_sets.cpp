@@ -155,10 +155,4 @@ Ray randomChord(const Bounds3& box, Random& random) {
     return {from - 2 * box.diagonal().norm() * direction, direction};
 }
 
-Bounds3 boundsOf(const MeshData& mesh) {
-    Bounds3 box;
-    for (const Vec3& position : mesh.positions) box.extend(position);
-    return box;
-}
-
 }  // namespace caustic

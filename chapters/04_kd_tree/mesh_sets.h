@@ -32,7 +32,4 @@ Ray randomRayAt(const MeshData& mesh, const Bounds3& box, Random& random);
 /// A ray from outside of the box through two random points of it.
 Ray randomChord(const Bounds3& box, Random& random);
 
-/// A box around all positions.
-Bounds3 boundsOf(const MeshData& mesh);
-
 }  // namespace caustic

@@ -1,18 +1,16 @@
 #include <string>
-#include <vector>
 
 #include "chapter_inputs.h"
 #include "figure/chapter.h"
-#include "figure/take_option.h"
 #include "figures.h"
 #include "mesh_command.h"
 
 int main(int argc, char** argv) {
     using namespace caustic;
-    std::vector<const char*> arguments(argv, argv + argc);
-    const std::string material = takeOption(arguments, "--material", "glass");
+    std::string mesh;
+    std::string material = "glass";
     return runChapter(
-        thisChapter, static_cast<int>(arguments.size()), arguments.data(),
+        thisChapter, argc, argv,
         {
             {"materials", drawMaterials},
             {"beer_lambert", drawBeerLambert},
@@ -24,9 +22,10 @@ int main(int argc, char** argv) {
             {"quantity", tabulateQuantities},
         },
         {
-            {"--mesh", "FILE", "Render a mesh on a floor; with --material glass (the default), diffuse or mirror",
-             [&material](const std::string& file, const ChapterOptions& options) {
-                 renderMesh(file, material, thisChapter, options);
-             }},
+            {.argument = {"--mesh", "FILE", "Render a mesh on a floor", TextValue{&mesh}},
+             .run = [&](const ChapterOptions& options) { renderMesh(mesh, material, thisChapter, options); },
+             .uses = {"--out", "--quality", "--threads", "--seed"},
+             .options = {{"--material", "NAME", "What it is made of",
+                          ChoiceValue{&material, {"glass", "diffuse", "mirror"}}}}},
         });
 }

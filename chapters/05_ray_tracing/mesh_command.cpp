@@ -2,7 +2,6 @@
 
 #include <cstdio>
 
-#include "core/error.h"
 #include "core/progress.h"
 #include "figures/picture.h"
 #include "image/image_file.h"
@@ -20,7 +19,6 @@ SceneObject objectOf(const std::string& material, const std::string& file) {
         return {.shape = loadShape(file), .material = std::make_shared<DiffuseMaterial>(Color(0.75, 0.6, 0.4))};
     if (material == "mirror")
         return {.shape = loadShape(file), .material = std::make_shared<MirrorMaterial>(Color::Constant(0.92))};
-    if (material != "glass") throw InputError({"--material", 0}, material, "must be glass, diffuse or mirror");
 
     SceneObject glass = {.shape = loadShape(file), .material = clearGlass()};
     // Coloured as the report's bunny is, whatever the size of the mesh.

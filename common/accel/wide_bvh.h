@@ -22,8 +22,8 @@ struct BuildBox {
 /// Bounding volume hierarchy with eight children a node, tested at once: the modern rival of the KD-tree. It sorts
 /// items instead of cutting space, so each item is in one leaf; in return the boxes of neighbours overlap.
 ///
-/// Built by the surface area heuristic over 16 or 32 bins (Wald 2007): a node's widest child is split until there are eight
-/// (Wald, Benthin, Boulos 2008). A leaf is one block of at most eight items. All coordinates are in [-1, 1] (see
+/// Built by the surface area heuristic over 16 or 32 bins (Wald 2007): a node's widest child is split until there are
+/// eight (Wald, Benthin, Boulos 2008). A leaf is one block of at most eight items. All coordinates are in [-1, 1] (see
 /// TreeRay).
 class WideBvh {
 public:
@@ -56,6 +56,34 @@ private:
         Float8 rows[6];              // lower x y z, upper x y z of the children
         std::uint32_t child[width];  // a node, or leafBit and a block
     };
+    struct Waiting {
+        std::uint32_t child;
+        float t;
+    };
+
+    // Where a ray enters and leaves the boxes of a node's children.
+    class Slabs {
+    public:
+        explicit Slabs(const TreeRay& ray);
+        Float8 enter(const Node& node) const;
+        Float8 leave(const Node& node, float tMax) const;
+
+    private:
+        Float8 inverse_[3];
+        Float8 origin_[3];  // times inverse_
+        unsigned near_[3];  // the rows by which the ray enters a box
+        unsigned far_[3];   // and those by which it leaves
+    };
+
+    // Insertion keeps the farthest lowest; few children are hit, so it beats a sort.
+    static void insert(const Waiting* base, Waiting* slot, const Waiting& other) {
+        while (slot > base && slot[-1].t < other.t) {
+            *slot = slot[-1];
+            --slot;
+        }
+        *slot = other;
+    }
+
     static constexpr std::uint32_t leafBit = 0x80000000U;
     // Seven may wait at each level. The builder halves below level 24, which ends 10 levels later: 2³⁰ items.
     static constexpr int largestDepth = 36;
@@ -66,26 +94,30 @@ private:
     int depth_ = 0;
 };
 
+inline WideBvh::Slabs::Slabs(const TreeRay& ray) {
+    for (unsigned axis = 0; axis < 3; ++axis) {
+        inverse_[axis] = broadcast8(ray.inverse[axis]);
+        origin_[axis] = broadcast8(ray.origin[axis] * ray.inverse[axis]);
+        near_[axis] = ray.inverse[axis] < 0 ? axis + 3 : axis;
+        far_[axis] = 3 + 2 * axis - near_[axis];
+    }
+}
+
+inline Float8 WideBvh::Slabs::enter(const Node& node) const {
+    return max8(
+        max8(fms8(node.rows[near_[0]], inverse_[0], origin_[0]), fms8(node.rows[near_[1]], inverse_[1], origin_[1])),
+        max8(fms8(node.rows[near_[2]], inverse_[2], origin_[2]), Float8{}));
+}
+
+inline Float8 WideBvh::Slabs::leave(const Node& node, float tMax) const {
+    return min8(
+        min8(fms8(node.rows[far_[0]], inverse_[0], origin_[0]), fms8(node.rows[far_[1]], inverse_[1], origin_[1])),
+        min8(fms8(node.rows[far_[2]], inverse_[2], origin_[2]), broadcast8(tMax)));
+}
+
 template <bool nearFirst, typename Visit, typename OnNode>
 void WideBvh::traverse(TreeRay& ray, const Visit& visit, const OnNode& onNode) const {
-    struct Waiting {
-        std::uint32_t child;
-        float t;
-    };
-    const Float8 ix = broadcast8(ray.inverse[0]);
-    const Float8 iy = broadcast8(ray.inverse[1]);
-    const Float8 iz = broadcast8(ray.inverse[2]);
-    const Float8 ox = broadcast8(ray.origin[0] * ray.inverse[0]);
-    const Float8 oy = broadcast8(ray.origin[1] * ray.inverse[1]);
-    const Float8 oz = broadcast8(ray.origin[2] * ray.inverse[2]);
-    // The rows by which the ray enters a box; it leaves by the others.
-    const unsigned nearX = ray.inverse[0] < 0 ? 3 : 0;
-    const unsigned nearY = ray.inverse[1] < 0 ? 4 : 1;
-    const unsigned nearZ = ray.inverse[2] < 0 ? 5 : 2;
-    const unsigned farX = 3 - nearX;
-    const unsigned farY = 5 - nearY;
-    const unsigned farZ = 7 - nearZ;
-
+    const Slabs slabs(ray);
     const Node* const nodes = nodes_.data();
     std::array<Waiting, stackSize> stack;
     Waiting* top = stack.data();
@@ -96,11 +128,8 @@ void WideBvh::traverse(TreeRay& ray, const Visit& visit, const OnNode& onNode) c
         } else {
             const Node& node = nodes[current];
             onNode();
-            const Float8 enter = max8(max8(fms8(node.rows[nearX], ix, ox), fms8(node.rows[nearY], iy, oy)),
-                                      max8(fms8(node.rows[nearZ], iz, oz), Float8{}));
-            const Float8 leave = min8(min8(fms8(node.rows[farX], ix, ox), fms8(node.rows[farY], iy, oy)),
-                                      min8(fms8(node.rows[farZ], iz, oz), broadcast8(ray.tMax)));
-            unsigned hits = lanesOf(enter <= leave);
+            const Float8 enter = slabs.enter(node);
+            unsigned hits = lanesOf(enter <= slabs.leave(node, ray.tMax));
             if (hits != 0) {
                 unsigned lane = static_cast<unsigned>(std::countr_zero(hits));
                 hits &= hits - 1;
@@ -123,13 +152,7 @@ void WideBvh::traverse(TreeRay& ray, const Visit& visit, const OnNode& onNode) c
                         std::swap(other.child, current);
                         std::swap(other.t, nearest);
                     }
-                    // Insertion keeps the farthest lowest; few children are hit, so it beats a sort.
-                    Waiting* slot = top++;
-                    while (slot > base && slot[-1].t < other.t) {
-                        *slot = slot[-1];
-                        --slot;
-                    }
-                    *slot = other;
+                    insert(base, top++, other);
                 } while (hits != 0);
                 continue;
             }

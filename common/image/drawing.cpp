@@ -1,51 +1,24 @@
 #include "image/drawing.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <functional>
 #include <numbers>
 #include <opencv2/freetype.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "core/check.h"
 #include "image/color_space.h"
+#include "image/drawing_canvas.h"
 #include "image/opencv_io.h"
 
 namespace caustic {
 
 namespace {
 
-constexpr int fractionBits = 4;  // of OpenCV's fixed-point coordinates
-constexpr Real farthest = 2e6;   // of a coordinate on the canvas: what 32 bits hold, with room to spare
-// OpenCV 4.6 paints anti-aliased shapes too large; measured for widths from 2 and radii from 5 canvas pixels.
-constexpr Real lineExcess = 1.35;  // of a line's thickness, canvas pixels
 constexpr Real radiusExcess = 0.6;
 constexpr Real capitalHeight = 0.729;  // of DejaVu Sans, in em
 constexpr Real arrowHeadLength = 5;    // in line widths
 constexpr Real arrowHeadHalfWidth = 2.2;
-
-cv::Scalar scalar(const Ink& ink) { return {Real(ink.blue), Real(ink.green), Real(ink.red)}; }
-
-std::string fontFile(const std::string& name) {
-    constexpr std::array folders = {"/usr/share/fonts/truetype/dejavu/",
-                                    "/usr/share/fonts/dejavu/",
-                                    "/usr/share/fonts/dejavu-sans-fonts/",
-                                    "/usr/share/fonts/TTF/",
-                                    "/Library/Fonts/",
-                                    "/opt/homebrew/share/fonts/"};
-    for (const char* folder : folders) {
-        const std::string file = folder + name;
-        if (std::filesystem::exists(file)) return file;
-    }
-    throw InputError({name, 0}, "", "this font is not installed; Debian's package fonts-dejavu-core has it");
-}
-
-cv::Ptr<cv::freetype::FreeType2> loadFont(const std::string& name) {
-    auto font = cv::freetype::createFreeType2();
-    font->loadFontData(fontFile(name), 0);
-    return font;
-}
 
 // Cuts a line into dashes with gaps as long between them.
 std::vector<std::vector<Vec2>> dashes(const std::vector<Vec2>& points, Real length) {
@@ -68,94 +41,6 @@ std::vector<std::vector<Vec2>> dashes(const std::vector<Vec2>& points, Real leng
     }
     return pieces;
 }
-
-}  // namespace
-
-// The picture, `samples` times larger, and the fonts once they are needed.
-class Drawing::Canvas {
-public:
-    Canvas(int width, int height, const Ink& paper, int samples)
-        : samples_(samples), mat_(height * samples, width * samples, CV_8UC3, scalar(paper)) {}
-
-    int samples() const { return samples_; }
-    cv::Mat& mat() { return mat_; }
-    const cv::Mat& mat() const { return mat_; }
-
-    // A length in OpenCV's fixed point.
-    int fixedLength(Real length) const {
-        checkFinite(length, "length in a drawing");
-        return static_cast<int>(std::lround(std::clamp(length * samples_, -farthest, farthest) * (1 << fractionBits)));
-    }
-
-    // OpenCV counts from the centre of the first pixel, we from its corner.
-    cv::Point fixed(const Vec2& place) const {
-        const Real half = Real(0.5) / samples_;
-        return {fixedLength(place.x() - half), fixedLength(place.y() - half)};
-    }
-
-    std::vector<cv::Point> fixed(const std::vector<Vec2>& places) const {
-        std::vector<cv::Point> points;
-        for (const Vec2& place : places) points.push_back(fixed(place));
-        return points;
-    }
-
-    // OpenCV rounds a thickness up to an even number, and then paints a line wider than that.
-    int thickness(const Stroke& stroke) const {
-        checkPositive(stroke.width, "width of a line");
-        const Real inner = std::min(stroke.width * samples_, Real(1000)) - lineExcess;
-        return std::max(1, 2 * static_cast<int>(std::lround(inner / 2)));
-    }
-
-    // Lets `draw` paint with an opaque colour, then lets what was there shine through.
-    void paint(const Ink& ink, const Bounds2& where, const std::function<void(cv::Mat&, const cv::Scalar&)>& draw) {
-        if (ink.alpha >= 1) return draw(mat_, scalar(ink));
-        const cv::Rect area = pixelsOf(where) & cv::Rect(0, 0, mat_.cols, mat_.rows);
-        if (area.empty()) return;
-        cv::Mat part = mat_(area);
-        const cv::Mat before = part.clone();
-        draw(mat_, scalar(ink));
-        cv::addWeighted(part, ink.alpha, before, 1 - ink.alpha, 0, part);
-    }
-
-    // The smallest rectangle of canvas pixels that surely holds the box.
-    cv::Rect pixelsOf(const Bounds2& box) const {
-        const auto pixel = [&](Real x) { return static_cast<int>(std::clamp(x * samples_, -farthest, farthest)); };
-        const cv::Point first(pixel(box.min().x()) - 2, pixel(box.min().y()) - 2);
-        const cv::Point last(pixel(box.max().x()) + 3, pixel(box.max().y()) + 3);
-        return {first, last};
-    }
-
-    cv::freetype::FreeType2& font(bool bold) {
-        cv::Ptr<cv::freetype::FreeType2>& font = bold ? bold_ : regular_;
-        if (!font) font = loadFont(bold ? "DejaVuSans-Bold.ttf" : "DejaVuSans.ttf");
-        return *font;
-    }
-
-    int fontSize(const TextStyle& style) const {
-        checkPositive(style.size, "size of a text");
-        return std::max(1, static_cast<int>(std::lround(std::min(style.size, Real(largestSide)) * samples_)));
-    }
-
-    // Width of the box around a text's ink, in canvas pixels.
-    Real inkWidth(const std::string& utf8, const TextStyle& style) {
-        int baseline = 0;
-        return font(style.bold).getTextSize(utf8, fontSize(style), cv::FILLED, &baseline).width;
-    }
-
-    cv::Mat finished() const {
-        cv::Mat small;
-        cv::resize(mat_, small, {mat_.cols / samples_, mat_.rows / samples_}, 0, 0, cv::INTER_AREA);
-        return small;
-    }
-
-private:
-    int samples_;
-    cv::Mat mat_;
-    cv::Ptr<cv::freetype::FreeType2> regular_;
-    cv::Ptr<cv::freetype::FreeType2> bold_;
-};
-
-namespace {
 
 Bounds2 boundsOf(const std::vector<Vec2>& points, Real margin) {
     Bounds2 box;
@@ -221,7 +106,7 @@ void Drawing::polyline(const std::vector<Vec2>& points, const Stroke& stroke, bo
     }
     const int thickness = canvas_->thickness(stroke);
     canvas_->paint(stroke.ink, boundsOf(path, stroke.width), [&](cv::Mat& mat, const cv::Scalar& color) {
-        cv::polylines(mat, pieces, false, color, thickness, cv::LINE_AA, fractionBits);
+        cv::polylines(mat, pieces, false, color, thickness, cv::LINE_AA, Canvas::fractionBits);
     });
 }
 
@@ -241,7 +126,7 @@ void Drawing::polygon(const std::vector<Vec2>& points, const Ink& fill) {
     if (points.empty()) return;
     const std::vector<std::vector<cv::Point>> outline = {canvas_->fixed(points)};
     canvas_->paint(fill, boundsOf(points, 1), [&](cv::Mat& mat, const cv::Scalar& color) {
-        cv::fillPoly(mat, outline, color, cv::LINE_AA, fractionBits);
+        cv::fillPoly(mat, outline, color, cv::LINE_AA, Canvas::fractionBits);
     });
 }
 
@@ -254,7 +139,7 @@ void Drawing::circle(const Vec2& centre, Real radius, const Ink& fill) {
     const cv::Point place = canvas_->fixed(centre);
     const Real inner = std::max(radius - radiusExcess / canvas_->samples(), Real(0));
     canvas_->paint(fill, boundsOf({centre}, radius + 1), [&](cv::Mat& mat, const cv::Scalar& color) {
-        cv::circle(mat, place, canvas_->fixedLength(inner), color, cv::FILLED, cv::LINE_AA, fractionBits);
+        cv::circle(mat, place, canvas_->fixedLength(inner), color, cv::FILLED, cv::LINE_AA, Canvas::fractionBits);
     });
 }
 
@@ -279,7 +164,7 @@ void Drawing::text(const Vec2& place, const std::string& utf8, const TextStyle& 
     if (style.horizontal == HorizontalAnchor::Right) start.x() -= end;
     if (style.vertical == VerticalAnchor::Middle) start.y() += capitalHeight / 2 * style.size;
     const cv::Point fixed = canvas_->fixed(start);
-    const cv::Point origin(fixed.x >> fractionBits, fixed.y >> fractionBits);
+    const cv::Point origin(fixed.x >> Canvas::fractionBits, fixed.y >> Canvas::fractionBits);
     canvas_->font(style.bold)
         .putText(canvas_->mat(), utf8, origin, canvas_->fontSize(style), scalar(style.ink), cv::FILLED, cv::LINE_AA,
                  true);

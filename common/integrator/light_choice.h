@@ -6,13 +6,14 @@
 #include <vector>
 
 #include "light/light.h"
+#include "sampling/discrete_distribution.h"
 
 namespace caustic {
 
 /// A light and how likely it was to be chosen.
 struct ChosenLight {
     const Light* light = nullptr;
-    Real probability = 0;  ///< greater than 0
+    Real probability = 0;  ///< 0 for one that is nothing beside the others: it is never chosen
 };
 
 /// Chooses one of a scene's lights, each in proportion to its power (the strongest colour of it): who asks one light
@@ -34,8 +35,8 @@ public:
     const std::vector<ChosenLight>& infinite() const { return infinite_; }
 
 private:
-    std::vector<ChosenLight> lights_;  // those that shine
-    std::vector<Real> upTo_;           // sum of the probabilities up to and with each
+    std::vector<ChosenLight> lights_;                   // those that shine
+    std::optional<DiscreteDistribution> distribution_;  // of lights_
     std::vector<ChosenLight> infinite_;
     std::unordered_map<const Light*, Real> probabilities_;
 };

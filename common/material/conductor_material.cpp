@@ -6,7 +6,7 @@ namespace caustic {
 
 ConductorMaterial::ConductorMaterial(const Metal& metal) : metal_(metal) { checkMetal(metal); }
 
-void ConductorMaterial::build(const SurfacePoint&, const ShadingFrame& shading, BsdfBuffer& bsdf) const {
+void ConductorMaterial::build(const Hit&, const ShadingFrame& shading, BsdfBuffer& bsdf) const {
     bsdf.emplace<ConductorBsdf>(shading, metal_.inside(shading.iorAbove));
 }
 

@@ -12,7 +12,7 @@ public:
     /// @throws InputError unless n is finite and greater than 0, and k finite and at least 0
     explicit ConductorMaterial(const Metal& metal);
 
-    void build(const SurfacePoint& at, const ShadingFrame& shading, BsdfBuffer& bsdf) const override;
+    void build(const Hit& at, const ShadingFrame& shading, BsdfBuffer& bsdf) const override;
     LobeFlags lobes() const override { return LobeFlags::Delta | LobeFlags::Reflection; }
 
 private:

@@ -4,7 +4,7 @@
 
 namespace caustic {
 
-void DielectricMaterial::build(const SurfacePoint&, const ShadingFrame& shading, BsdfBuffer& bsdf) const {
+void DielectricMaterial::build(const Hit&, const ShadingFrame& shading, BsdfBuffer& bsdf) const {
     bsdf.emplace<DielectricBsdf>(shading);
 }
 

@@ -8,7 +8,7 @@ namespace caustic {
 /// Interior's of its object.
 class DielectricMaterial final : public Material {
 public:
-    void build(const SurfacePoint& at, const ShadingFrame& shading, BsdfBuffer& bsdf) const override;
+    void build(const Hit& at, const ShadingFrame& shading, BsdfBuffer& bsdf) const override;
     LobeFlags lobes() const override { return LobeFlags::Delta | LobeFlags::Reflection | LobeFlags::Transmission; }
 };
 

@@ -17,7 +17,7 @@ DiffuseMaterial::DiffuseMaterial(std::shared_ptr<const Texture> reflectance) : r
     checkReflectance(reflectance_->largest(), "diffuse reflectance");
 }
 
-void DiffuseMaterial::build(const SurfacePoint& at, const ShadingFrame& shading, BsdfBuffer& bsdf) const {
+void DiffuseMaterial::build(const Hit& at, const ShadingFrame& shading, BsdfBuffer& bsdf) const {
     bsdf.emplace<DiffuseBsdf>(shading, reflectance_->at(at));
 }
 

@@ -15,7 +15,7 @@ public:
     /// @throws InputError when there is no texture or it leaves [0, 1]
     explicit DiffuseMaterial(std::shared_ptr<const Texture> reflectance);
 
-    void build(const SurfacePoint& at, const ShadingFrame& shading, BsdfBuffer& bsdf) const override;
+    void build(const Hit& at, const ShadingFrame& shading, BsdfBuffer& bsdf) const override;
     LobeFlags lobes() const override { return LobeFlags::Diffuse | LobeFlags::Reflection; }
     bool textured() const override { return !reflectance_->constant(); }
 

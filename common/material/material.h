@@ -10,7 +10,10 @@ public:
     virtual ~Material() = default;
 
     /// Makes the BSDF at a point.
-    virtual void build(const SurfacePoint& at, const ShadingFrame& shading, BsdfBuffer& bsdf) const = 0;
+    /// @param at       the whole hit: uv for textures; dpdu, dpdv and handedness for what has a direction on the
+    /// surface
+    /// @param shading  the hit's own frame, which a material may replace
+    virtual void build(const Hit& at, const ShadingFrame& shading, BsdfBuffer& bsdf) const = 0;
 
     /// What its BSDFs may do.
     virtual LobeFlags lobes() const = 0;

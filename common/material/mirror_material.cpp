@@ -9,7 +9,7 @@ MirrorMaterial::MirrorMaterial(const Color& reflectance) : reflectance_(reflecta
     checkReflectance(reflectance, "mirror's reflectance");
 }
 
-void MirrorMaterial::build(const SurfacePoint&, const ShadingFrame& shading, BsdfBuffer& bsdf) const {
+void MirrorMaterial::build(const Hit&, const ShadingFrame& shading, BsdfBuffer& bsdf) const {
     bsdf.emplace<MirrorBsdf>(shading, reflectance_);
 }
 

@@ -10,7 +10,7 @@ public:
     /// @throws InputError unless the reflectance is in [0, 1]
     explicit MirrorMaterial(const Color& reflectance);
 
-    void build(const SurfacePoint& at, const ShadingFrame& shading, BsdfBuffer& bsdf) const override;
+    void build(const Hit& at, const ShadingFrame& shading, BsdfBuffer& bsdf) const override;
     LobeFlags lobes() const override { return LobeFlags::Delta | LobeFlags::Reflection; }
 
 private:

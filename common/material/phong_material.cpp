@@ -17,7 +17,7 @@ PhongMaterial::PhongMaterial(std::shared_ptr<const Texture> diffuse, const Color
     checkArgument(exponent >= 0, "Phong exponent", formatReal(exponent), "must be at least 0");
 }
 
-void PhongMaterial::build(const SurfacePoint& at, const ShadingFrame& shading, BsdfBuffer& bsdf) const {
+void PhongMaterial::build(const Hit& at, const ShadingFrame& shading, BsdfBuffer& bsdf) const {
     bsdf.emplace<PhongBsdf>(shading, diffuse_->at(at), specular_, exponent_);
 }
 

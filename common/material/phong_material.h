@@ -17,7 +17,7 @@ public:
     ///         exponent isn't finite and at least 0
     PhongMaterial(std::shared_ptr<const Texture> diffuse, const Color& specular, Real exponent);
 
-    void build(const SurfacePoint& at, const ShadingFrame& shading, BsdfBuffer& bsdf) const override;
+    void build(const Hit& at, const ShadingFrame& shading, BsdfBuffer& bsdf) const override;
     LobeFlags lobes() const override { return LobeFlags::Diffuse | LobeFlags::Glossy | LobeFlags::Reflection; }
     bool textured() const override { return !diffuse_->constant(); }
 

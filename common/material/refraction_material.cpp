@@ -12,7 +12,7 @@ RefractionMaterial::RefractionMaterial(const Color& reflectance, const Color& tr
     checkReflectance(reflectance + transmittance, "glass's reflectance and transmittance together");
 }
 
-void RefractionMaterial::build(const SurfacePoint&, const ShadingFrame& shading, BsdfBuffer& bsdf) const {
+void RefractionMaterial::build(const Hit&, const ShadingFrame& shading, BsdfBuffer& bsdf) const {
     bsdf.emplace<RefractionBsdf>(shading, reflectance_, transmittance_);
 }
 

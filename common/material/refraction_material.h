@@ -12,7 +12,7 @@ public:
     /// @throws InputError unless both are in [0, 1] and sum to at most 1
     RefractionMaterial(const Color& reflectance, const Color& transmittance);
 
-    void build(const SurfacePoint& at, const ShadingFrame& shading, BsdfBuffer& bsdf) const override;
+    void build(const Hit& at, const ShadingFrame& shading, BsdfBuffer& bsdf) const override;
     LobeFlags lobes() const override { return LobeFlags::Delta | LobeFlags::Reflection | LobeFlags::Transmission; }
 
 private:

@@ -13,7 +13,7 @@ RoughConductorMaterial::RoughConductorMaterial(const Metal& metal, Real alphaX, 
     checkRoughness(alphaX, alphaY);
 }
 
-void RoughConductorMaterial::build(const SurfacePoint&, const ShadingFrame& shading, BsdfBuffer& bsdf) const {
+void RoughConductorMaterial::build(const Hit&, const ShadingFrame& shading, BsdfBuffer& bsdf) const {
     const Metal inside = metal_.inside(shading.iorAbove);
     if (looksSmooth(alphaX_, alphaY_)) {
         bsdf.emplace<ConductorBsdf>(shading, inside);

@@ -14,7 +14,7 @@ public:
     ///         roughnesses are in [0, 1]
     RoughConductorMaterial(const Metal& metal, Real alphaX, Real alphaY);
 
-    void build(const SurfacePoint& at, const ShadingFrame& shading, BsdfBuffer& bsdf) const override;
+    void build(const Hit& at, const ShadingFrame& shading, BsdfBuffer& bsdf) const override;
     LobeFlags lobes() const override;
 
 private:

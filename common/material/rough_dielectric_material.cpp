@@ -13,7 +13,7 @@ RoughDielectricMaterial::RoughDielectricMaterial(Real alphaX, Real alphaY) : alp
     checkRoughness(alphaX, alphaY);
 }
 
-void RoughDielectricMaterial::build(const SurfacePoint&, const ShadingFrame& shading, BsdfBuffer& bsdf) const {
+void RoughDielectricMaterial::build(const Hit&, const ShadingFrame& shading, BsdfBuffer& bsdf) const {
     if (looksSmooth(alphaX_, alphaY_) || std::abs(shading.iorBelow - shading.iorAbove) < sameIndex * shading.iorAbove) {
         bsdf.emplace<DielectricBsdf>(shading);
     } else {

@@ -16,7 +16,7 @@ public:
     /// @throws InputError unless both are in [0, 1]
     RoughDielectricMaterial(Real alphaX, Real alphaY);
 
-    void build(const SurfacePoint& at, const ShadingFrame& shading, BsdfBuffer& bsdf) const override;
+    void build(const Hit& at, const ShadingFrame& shading, BsdfBuffer& bsdf) const override;
     LobeFlags lobes() const override;
 
 private:

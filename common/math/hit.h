@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <cstdint>
 
 #include "math/surface_point.h"
@@ -20,11 +21,16 @@ struct Hit : SurfacePoint {
     Vec3 ns = Vec3::UnitZ();
 
     /// Derivatives of the point by u and v: tangent, neither unit nor orthogonal in general. dpdu × dpdv points along
-    /// ng, against it in a mirrored instance. Either may vanish where the parametrisation does (a sphere's poles).
+    /// ng, or against it: in a mirrored instance, and where a mesh's uvs run clockwise (handedness). Either may vanish
+    /// where the parametrisation does (a sphere's poles).
     Vec3 dpdu = Vec3::UnitX();
     Vec3 dpdv = Vec3::UnitY();
 
     ObjectId object = noObject;  ///< given by the nearest enclosing instance that sets one
+
+    /// 1 when u, v and ng are right-handed; −1 when they are left-handed, so that whatever is laid on the surface by u
+    /// and v is seen mirrored from the side that ng points to.
+    Real handedness() const { return dpdu.cross(dpdv).dot(ng) < 0 ? -1 : 1; }
 };
 
 }  // namespace caustic

@@ -1,8 +1,8 @@
 #include "mesh/mesh_data.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
-
 #include <limits>
 #include <string>
 
@@ -44,6 +44,20 @@ void checkMesh(const MeshData& mesh) {
     checkCorners(mesh.triangles, mesh.positions.size(), false, "vertex");
     checkCorners(mesh.normalCorners, mesh.normals.size(), true, "normal");
     checkCorners(mesh.uvCorners, mesh.uvs.size(), true, "uv");
+}
+
+Bounds3 boundsOf(const MeshData& mesh) {
+    Bounds3 box;
+    for (std::uint32_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) box.extend(mesh.bounds(triangle));
+    return box;
+}
+
+std::size_t unusedVertices(const MeshData& mesh) {
+    std::vector<bool> used(mesh.positions.size());
+    for (const MeshData::Corners& corners : mesh.triangles) {
+        for (const std::uint32_t corner : corners) used[corner] = true;
+    }
+    return static_cast<std::size_t>(std::count(used.begin(), used.end(), false));
 }
 
 Vec3 twiceArea(const MeshData& mesh, std::uint32_t triangle) {

@@ -44,6 +44,12 @@ struct MeshData {
 /// finite.
 void checkMesh(const MeshData& mesh);
 
+/// The box around all triangles. A vertex that none of them uses doesn't count.
+Bounds3 boundsOf(const MeshData& mesh);
+
+/// How many positions no triangle uses.
+std::size_t unusedVertices(const MeshData& mesh);
+
 /// (b - a) × (c - a): twice the area, along the normal.
 Vec3 twiceArea(const MeshData& mesh, std::uint32_t triangle);
 

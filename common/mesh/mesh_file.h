@@ -6,10 +6,11 @@
 
 namespace caustic {
 
-/// Reads a mesh from a file of any format: OBJ by our own reader (loadObj), PLY, STL, 3DS, COLLADA, glTF and all others
-/// that the assimp library knows by assimp. All objects of the file become one mesh, each where the file's scene puts
-/// it.
-/// @throws InputError when the file is missing, of no known format, damaged, without a triangle, or as checkMesh does
+/// Reads a mesh from a file of a kind that its ending names: OBJ (parseObj), PLY (parsePly), STL (parseStl), glTF and
+/// GLB (parseGltf). All objects of the file become one mesh. Coordinates are those that the file holds, to their last
+/// bit, moved only by what the file itself says.
+/// @throws InputError when the file is missing, of any other kind, over 1 GiB, damaged, without a triangle, or as
+///         checkMesh does
 MeshData loadMesh(const std::filesystem::path& path);
 
 }  // namespace caustic

@@ -45,43 +45,60 @@ private:
         throw InputError({file_, line_}, std::string(value), reason);
     }
 
-    // Takes the next line, without its comment; a backslash at its end joins the one that follows.
+    // Takes the next line, without its comment. A backslash at the end of a statement that is read joins the line that
+    // follows; at the end of a comment or a name, as in "# D:\\out\\", it is a part of that.
     bool nextLine() {
         line_ = nextLineNumber_;
         if (place_ >= text_.size()) return false;
         rest_ = takeLine();
-        if (rest_.empty() || rest_.back() != '\\') return cutComment();
-        joined_ = rest_;
-        while (!joined_.empty() && joined_.back() == '\\') {
-            joined_.back() = ' ';
-            if (place_ < text_.size()) joined_ += takeLine();
+        if (!goesOn(rest_) || !isRead(rest_)) return true;
+        joined_.clear();
+        while (goesOn(rest_)) {
+            joined_ += rest_.substr(0, rest_.rfind('\\'));
+            joined_ += ' ';
+            rest_ = place_ < text_.size() ? takeLine() : std::string_view();
         }
+        joined_ += rest_;
         rest_ = joined_;
-        return cutComment();
-    }
-
-    bool cutComment() {
-        rest_ = rest_.substr(0, rest_.find('#'));
         return true;
     }
 
+    static bool goesOn(std::string_view line) { return !line.empty() && line.back() == '\\'; }
+
+    static bool isRead(std::string_view line) {
+        const std::string_view keyword = takeWord(line);
+        return keyword == "v" || keyword == "vn" || keyword == "vt" || keyword == "f";
+    }
+
+    // Up to its end or its comment, without blanks at the end.
     std::string_view takeLine() {
         const std::size_t end = std::min(text_.find('\n', place_), text_.size());
         std::string_view line = text_.substr(place_, end - place_);
         place_ = end + 1;
         ++nextLineNumber_;
-        if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+        line = withoutBlanksAtEnd(line);
+        if (line.find('\r') != std::string_view::npos) {
+            line_ = nextLineNumber_ - 1;
+            fail("", "has a lone CR, as old Macs ended lines; must be LF or CR LF");
+        }
+        return withoutBlanksAtEnd(line.substr(0, line.find('#')));
+    }
+
+    static std::string_view withoutBlanksAtEnd(std::string_view line) {
+        while (!line.empty() && isSpace(line.back())) line.remove_suffix(1);
         return line;
     }
 
     // The next word of the line; empty when there is none.
-    std::string_view word() {
+    std::string_view word() { return takeWord(rest_); }
+
+    static std::string_view takeWord(std::string_view& line) {
         std::size_t begin = 0;
-        while (begin < rest_.size() && isSpace(rest_[begin])) ++begin;
+        while (begin < line.size() && isSpace(line[begin])) ++begin;
         std::size_t end = begin;
-        while (end < rest_.size() && !isSpace(rest_[end])) ++end;
-        const std::string_view found = rest_.substr(begin, end - begin);
-        rest_.remove_prefix(end);
+        while (end < line.size() && !isSpace(line[end])) ++end;
+        const std::string_view found = line.substr(begin, end - begin);
+        line.remove_prefix(end);
         return found;
     }
 

@@ -12,13 +12,15 @@ namespace caustic {
 
 /// Reads a mesh from the text of a Wavefront OBJ file: `v`, `vt`, `vn` and `f`, with normals and surface coordinates
 /// where corners name them. Polygons are cut into triangles (triangulated). Numbers may be negative: they count from
-/// the last one that was read. Lines may end in CR LF, go on after a backslash, and be of any length.
+/// the last one that was read. Lines may end in CR LF, go on after a backslash (those four statements; not a comment or
+/// a name that ends in one), and be of any length. A number that is too small for a double is 0.
 ///
 /// Everything else is passed over: groups and objects become one mesh, materials belong to scenes, curves and surfaces
 /// in free form, points and lines have no triangles. So a material file need not exist. A weight after the three
 /// coordinates and a vertex colour are read as numbers and not used.
 /// @param file  what an error's place is called
-/// @throws InputError with the line: a coordinate that is no finite number, one too few; a face of fewer than three
+/// @throws InputError with the line: a lone CR; a coordinate that is no finite number, one too few; a face of fewer
+/// than three
 ///         corners, or with a number that is 0 or names nothing; a concave face of more than mostConcaveCorners; and
 ///         when there is no face at all
 MeshData parseObj(std::string_view text, const std::string& file);

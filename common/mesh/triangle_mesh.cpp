@@ -17,6 +17,15 @@ std::shared_ptr<const MeshData> checked(MeshData mesh) {
     return std::make_shared<const MeshData>(std::move(mesh));
 }
 
+DiscreteDistribution areasOf(const MeshData& mesh) {
+    const std::vector<std::uint32_t> solid = trianglesWithArea(mesh);
+    checkArgument(!solid.empty(), "mesh", std::to_string(mesh.triangles.size()) + " triangles",
+                  "needs one that has an area");
+    std::vector<Real> areas(mesh.triangles.size(), 0);
+    for (const std::uint32_t triangle : solid) areas[triangle] = twiceArea(mesh, triangle).norm() / 2;
+    return DiscreteDistribution(areas);
+}
+
 // Tangents that make u and v what the corners say; the triangle's edges when these say nothing.
 void setSurfaceCoordinates(const MeshData& mesh, const MeshHit& at, Hit& hit) {
     const auto [a, b, c] = mesh.corners(at.triangle);
@@ -61,21 +70,9 @@ Vec3 interpolatedNormal(const MeshData& mesh, const MeshHit& at, const Vec3& ng)
     //! [ex-04.5]
 }
 
-TriangleMesh::TriangleMesh(MeshData mesh, MeshTreeKind kind) : mesh_(checked(std::move(mesh))) {
-    Real area = 0;
-    const std::vector<std::uint32_t> solid = trianglesWithArea(*mesh_);
-    checkArgument(!solid.empty(), "mesh", std::to_string(mesh_->triangles.size()) + " triangles",
-                  "needs one that has an area");
-    areasUpTo_.reserve(mesh_->triangles.size());
-    auto next = solid.begin();
-    for (std::uint32_t triangle = 0; triangle < mesh_->triangles.size(); ++triangle) {
-        if (next != solid.end() && *next == triangle) {
-            ++next;
-            area += twiceArea(*mesh_, triangle).norm() / 2;
-            bounds_.extend(mesh_->bounds(triangle));
-        }
-        areasUpTo_.push_back(area);
-    }
+TriangleMesh::TriangleMesh(MeshData mesh, MeshTreeKind kind)
+    : mesh_(checked(std::move(mesh))), areas_(areasOf(*mesh_)) {
+    for (const std::uint32_t triangle : trianglesWithArea(*mesh_)) bounds_.extend(mesh_->bounds(triangle));
     tree_ = plantMeshTree(kind, mesh_);
 }
 
@@ -99,15 +96,12 @@ Hit TriangleMesh::hitAt(const MeshHit& found) const {
 
 std::optional<AreaSample> TriangleMesh::sampleArea(const Vec2& u) const {
     // u.x chooses the triangle; what is left of it within the triangle's share is uniform again.
-    const Real place = u.x() * areasUpTo_.back();
-    const auto chosen = std::upper_bound(areasUpTo_.begin(), std::prev(areasUpTo_.end()), place);
-    const Real before = chosen == areasUpTo_.begin() ? 0 : *std::prev(chosen);
-    const Real share = std::clamp((place - before) / (*chosen - before), Real(0), Real(1));
+    const auto [triangle, share] = areas_.choose(u.x());
     const Real size = std::sqrt(share);
-    const auto triangle = static_cast<std::uint32_t>(chosen - areasUpTo_.begin());
-    return AreaSample{hitAt({{0, size * (1 - u.y()), size * u.y()}, triangle}), 1 / areasUpTo_.back()};
+    const MeshHit place = {{0, size * (1 - u.y()), size * u.y()}, static_cast<std::uint32_t>(triangle)};
+    return AreaSample{hitAt(place), 1 / areas_.sum()};
 }
 
-Real TriangleMesh::pdfA(const SurfacePoint&) const { return 1 / areasUpTo_.back(); }
+Real TriangleMesh::pdfA(const SurfacePoint&) const { return 1 / areas_.sum(); }
 
 }  // namespace caustic

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <memory>
-#include <vector>
 
 #include "mesh/mesh_tree.h"
+#include "sampling/discrete_distribution.h"
 #include "shape/shape.h"
 
 namespace caustic {
@@ -40,7 +40,7 @@ private:
     std::shared_ptr<const MeshData> mesh_;
     std::unique_ptr<const MeshTree> tree_;
     Bounds3 bounds_;
-    std::vector<Real> areasUpTo_;  // of a triangle and all before it
+    DiscreteDistribution areas_;  // of the triangles
 };
 
 /// The shading normal at a point of a triangle: the corners' normals weighted by its barycentric coordinates, of unit

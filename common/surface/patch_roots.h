@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "curve/bezier_patch.h"
-#include "math/interval.h"
 #include "shape/watertight.h"
+#include "surface/plane_net.h"
 
 namespace caustic {
 
@@ -14,33 +14,6 @@ struct PatchRoot {
     Real v;
     Real t;  ///< in lengths of the ray's direction
 };
-
-/// A patch as a ray sees it that runs along the z axis: a map from (u, v) to the plane, whose zeros are the meetings.
-/// Control points P_ij at [i][j].
-struct PlaneNet {
-    /// Of a patch in each direction; more is refused.
-    static constexpr int highestDegree = 9;
-
-    int degreeU;                                                               ///< in u, at least 1
-    int degreeV;                                                               ///< in v, at least 1
-    std::array<std::array<Vec2, highestDegree + 1>, highestDegree + 1> point;  ///< the control points
-};
-
-/// A part of a patch's domain.
-struct PatchDomain {
-    Interval u = {0, 1};
-    Interval v = {0, 1};
-};
-
-/// The part of [0, 1]² that can hold zeros of a net, a little enlarged by `tolerance`; an interval is empty when there
-/// are none. All of [0, 1]² when the net is too far from a linear map to tell.
-///
-/// With a and b the mean derivatives by u and v, the inverse of the matrix (a b) turns the net into one close to the
-/// identity: q(u, v) = (u, v) + r(u, v). A Bernstein polynomial with the control values i/m is u itself (linear
-/// precision), so the control points of r are those of q less (i/m, j/n), and r lies in their box. At a zero (u, v) =
-/// -r(u, v). What is left shrinks with the square of what there was.
-/// @param tolerance  how far from zero a value may be and count as zero, in the net's unit
-PatchDomain clippedDomain(const PlaneNet& net, Real tolerance);
 
 /// All meetings of a ray's line with a patch. None is missed: the domain is cut down by clippedDomain and by halving
 /// until each part is free of zeros or certain to hold at most one, which Newton's method then finds. The tolerance is

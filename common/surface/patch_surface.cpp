@@ -22,7 +22,7 @@ BezierPatch checked(BezierPatch patch) {
     return patch;
 }
 
-AreaCells cellsOf(const BezierPatch& patch) {
+DiscreteDistribution cellsOf(const BezierPatch& patch) {
     std::vector<Real> areas;
     for (int i = 0; i < cellsAlong; ++i) {
         for (int j = 0; j < cellsAlong; ++j) {
@@ -30,7 +30,7 @@ AreaCells cellsOf(const BezierPatch& patch) {
             areas.push_back(jet.du.cross(jet.dv).norm());
         }
     }
-    return AreaCells(areas);
+    return DiscreteDistribution(areas);
 }
 
 // The control points' box, a little larger: points are computed with rounding, and roots found within a tolerance.
@@ -97,7 +97,7 @@ bool PatchSurface::occluded(const Ray& ray) const {
 }
 
 std::optional<AreaSample> PatchSurface::sampleArea(const Vec2& u) const {
-    const auto [cell, rest] = cells_.pick(u.x());
+    const auto [cell, rest] = cells_.choose(u.x());
     const Vec2 uv =
         Vec2(static_cast<Real>(cell / cellsAlong) + rest, static_cast<Real>(cell % cellsAlong) + u.y()) / cellsAlong;
     const SurfacePoint at = {patch_.evaluate(uv.x(), uv.y()).point, normal(uv.x(), uv.y()), uv, magnitude_};

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "curve/bezier_patch.h"
-#include "shape/area_cells.h"
+#include "sampling/discrete_distribution.h"
 #include "shape/shape.h"
 #include "surface/patch_roots.h"
 
@@ -32,7 +32,7 @@ private:
     BezierPatch patch_;
     Bounds3 bounds_;
     Real magnitude_;
-    AreaCells cells_;
+    DiscreteDistribution cells_;
 };
 
 }  // namespace caustic

@@ -59,12 +59,12 @@ Real cellArea(const BezierCurve& segment, int cell) {
     return std::abs(segment.position(u).x()) * segment.derivative(u).head<2>().norm();
 }
 
-AreaCells cellsOf(const std::vector<BezierCurve>& profile) {
+DiscreteDistribution cellsOf(const std::vector<BezierCurve>& profile) {
     std::vector<Real> areas;
     for (const BezierCurve& segment : profile) {
         for (int cell = 0; cell < cellsPerSegment; ++cell) areas.push_back(cellArea(segment, cell));
     }
-    return AreaCells(areas);
+    return DiscreteDistribution(areas);
 }
 
 }  // namespace
@@ -200,7 +200,7 @@ bool SurfaceOfRevolution::occluded(const Ray& ray) const {
 }
 
 std::optional<AreaSample> SurfaceOfRevolution::sampleArea(const Vec2& u) const {
-    const auto [cell, rest] = cells_.pick(u.x());
+    const auto [cell, rest] = cells_.choose(u.x());
     const Place place = {cell / cellsPerSegment, (static_cast<Real>(cell % cellsPerSegment) + rest) / cellsPerSegment};
     const SurfaceJet jet = jetAt(place, u.y());
     SurfacePoint at;

@@ -4,7 +4,7 @@
 
 #include "curve/bezier_spline.h"
 #include "curve/surface_jet.h"
-#include "shape/area_cells.h"
+#include "sampling/discrete_distribution.h"
 #include "shape/shape.h"
 #include "surface/revolved_segment.h"
 
@@ -66,7 +66,7 @@ private:
     Real middle_;
     bool rises_;  // whether the profile ends higher than it begins
     Real magnitude_;
-    AreaCells cells_;
+    DiscreteDistribution cells_;
 };
 
 }  // namespace caustic

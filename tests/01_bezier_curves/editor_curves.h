@@ -1,8 +1,12 @@
 #pragma once
 
 #include <algorithm>
+#include <filesystem>
 
+#include "curve/profile_text.h"
+#include "editor/editor.h"
 #include "editor/editor_model.h"
+#include "support/temporary_folder.h"
 
 namespace caustic::test {
 
@@ -35,6 +39,25 @@ inline Real distance(const BezierSpline& from, const EditorModel& to) {
         largest = std::max(largest, to.nearestPlace(point.head<2>())->distance);
     }
     return largest;
+}
+
+inline std::filesystem::path saved(const test::TemporaryFolder& folder, const BezierSpline& spline) {
+    saveProfileText(spline, folder / "wave.txt");
+    return folder / "wave.txt";
+}
+
+inline Vec2 pixelOf(const Editor& editor, const PointId& id) { return editor.view().toPixel(editor.model().position(id)); }
+
+inline void click(Editor& editor, const Vec2& pixel) {
+    editor.mouse(MouseAction::LeftDown, pixel, false);
+    editor.mouse(MouseAction::LeftUp, pixel, false);
+}
+
+inline void drag(Editor& editor, const Vec2& from, const Vec2& to, bool alone = false) {
+    editor.mouse(MouseAction::LeftDown, from, alone);
+    editor.mouse(MouseAction::Move, (from + to) / 2, alone);
+    editor.mouse(MouseAction::Move, to, alone);
+    editor.mouse(MouseAction::LeftUp, to, alone);
 }
 
 }  // namespace caustic::test

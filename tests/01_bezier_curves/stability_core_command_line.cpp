@@ -69,6 +69,22 @@ TEST_F(CommandLine, BadOptionsAreRefusedByName) {
     expectRefused({"--seed", "1e3"}, "1e3");
 }
 
+// Wrong values name the right ones.
+TEST_F(CommandLine, HelpAndRefusalsNameRangesAndDefaults) {
+    const std::string help = run({"--help"}).output;
+    for (const char* part :
+         {"Q {draft, report}=draft", "N in [1, 1024]=", "S in [0, 9223372036854775807]=1", "DIR=figures"})
+        EXPECT_NE(help.find(part), std::string::npos) << part << help;
+    expectRefused({"--quality=superb"}, "must be one of draft, report (got 'superb')");
+    expectRefused({"--threads=1025"}, "must be a whole number from 1 to 1024 (got '1025')");
+}
+
+TEST_F(CommandLine, OptionsThatWouldDoNothingAreRefused) {
+    expectRefused({"--inspect", "profile.svg", "--seed", "2"}, "--seed: does nothing with --inspect");
+    expectRefused({"--only", "bounds", "--inspect", "profile.svg"}, "--only: does nothing with --inspect");
+    expectRefused({"--list", "--preview"}, "--preview: does nothing with --list");
+}
+
 TEST_F(CommandLine, UnknownFigureIsRefusedWithTheListOfThoseThatAre) {
     expectRefused({"--only", "no_such_figure"}, "no_such_figure");
     expectRefused({"--only", "no_such_figure"}, "speed_accuracy");

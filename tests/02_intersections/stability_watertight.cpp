@@ -1,15 +1,17 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "core/error.h"
+#include "core/process.h"
 #include "failures/closed_mesh.h"
 #include "failures/leaks.h"
 #include "failures/print_leaks.h"
 #include "shape/cramer.h"
 #include "shape/triangle.h"
 #include "shape/watertight.h"
+#include "support/paths.h"
 
 namespace caustic {
 namespace {
@@ -57,7 +59,7 @@ TEST(Watertight, SliversAreNotHitWhereTheyWereLeft) {
 
 TEST(PrintLeaks, TellsEveryMethodAndAim) {
     std::ostringstream out;
-    printLeaks("20000", 8, 2, out);
+    printLeaks(20'000, 8, 2, out);
     const auto list = nlohmann::json::parse(out.str());
     ASSERT_EQ(list.size(), 2 * triangleMethods().size());
     EXPECT_EQ(list[1]["method"], "Cramer's rule");
@@ -68,9 +70,10 @@ TEST(PrintLeaks, TellsEveryMethodAndAim) {
 
 TEST(PrintLeaks, RefusesWhatIsNoNumberOfRays) {
     for (const char* const bad : {"", "0", "-5", "1e6", "many", "1000000001", "99999999999999999999"}) {
-        std::ostringstream out;
-        EXPECT_THROW(printLeaks(bad, 1, 1, out), InputError) << bad;
-        EXPECT_EQ(out.str(), "");
+        const ProcessResult result = *runProcess({test::chapterProgram(), "--leaks", bad});
+        EXPECT_EQ(result.exitCode, 2) << bad;
+        EXPECT_NE(result.output.find("a whole number from 1 to 1000000000"), std::string::npos) << result.output;
+        EXPECT_EQ(std::ranges::count(result.output, '\n'), 1) << result.output;
     }
 }
 

@@ -5,7 +5,6 @@
 
 #include "camera/box_filter.h"
 #include "core/error.h"
-#include "figure/take_option.h"
 #include "image/picture_error.h"
 #include "integrator/render.h"
 #include "measures/caustic_reference.h"
@@ -72,13 +71,6 @@ TEST(Render, EndsInTime) {
     EXPECT_THROW(render(*integrator, {.passes = 0}), InputError);
     EXPECT_THROW(render(*integrator, {.passes = 1, .threads = 0}), InputError);
     EXPECT_THROW(render(*integrator, {}), InputError) << "nothing says when to end";
-}
-
-TEST(TakeOption, TakesTheOptionAndItsValueAway) {
-    std::vector<const char*> arguments = {"program", "--scene", "box", "--seed", "3"};
-    EXPECT_EQ(takeOption(arguments, "--scene", "none"), "box");
-    EXPECT_EQ(arguments.size(), 3U);
-    EXPECT_EQ(takeOption(arguments, "--scene", "none"), "none");
 }
 
 // A place on the floor: ρ L times the lamp's form factor, which tests/support has on its own, comes straight from the

@@ -22,6 +22,7 @@ TEST(TimeCommand, WritesErrorsAndPicturesOfAllFive) {
     const test::TemporaryFolder folder;
     const ProcessResult result = run({"--time", "0.01", "--scene", "diffuse_box"}, folder / "out");
     EXPECT_EQ(result.exitCode, 0) << result.output;
+    EXPECT_EQ(run({"--time=0.01", "--scene=diffuse_box"}, folder / "equals").exitCode, 0);
     int pictures = 0;
     for (const auto& entry : std::filesystem::directory_iterator(folder / "out/07_path_tracing"))
         pictures += entry.path().extension() == ".png" ? 1 : 0;
@@ -43,7 +44,12 @@ TEST(Commands, BadInputIsOneLineAndWritesNothing) {
                                                        {"--trace", "5"},
                                                        {"--trace", "-1"},
                                                        {"--trace", "0", "--method", "5"},
-                                                       {"--trace", "0", "--samples", "2000000"}};
+                                                       {"--trace", "0", "--samples", "2000000"},
+                                                       {"--scene", "peers_box"},
+                                                       {"--trace", "0", "--scene", "peers_box"},
+                                                       {"--time", "1", "--only", "methods"},
+                                                       {"--time", "1", "--quality", "report"},
+                                                       {"--time", "1", "--recalibrate", "1"}};
     for (const auto& arguments : bad) {
         const test::TemporaryFolder folder;
         const ProcessResult result = run(arguments, folder / "out");

@@ -58,6 +58,10 @@ class Chapter:
             different = [name for name in serial if serial[name] != parallel[name]]
             self.assertEqual(different, [], "Which sum is taken in the order in which threads finish?")
 
+    def test_figures_are_known_before_anything_is_built(self):
+        for chapter in all_chapters():
+            self.assertEqual(figures.spelled_figures(chapter), list(figures.table_of_contents(chapter)))
+
     def test_bad_command_lines_are_refused_and_write_nothing(self):
         for words in (["--only", "no_such_figure"], ["--threads", "0"], ["--quality", "best"], ["--nonsense"]):
             with self.subTest(words), tempfile.TemporaryDirectory() as folder:

@@ -1,5 +1,7 @@
 """Which figures are stale, and how the numbers and pictures of two runs are compared."""
 
+import contextlib
+import io
 import json
 import random
 import struct
@@ -7,8 +9,11 @@ import tempfile
 import unittest
 import zlib
 from pathlib import Path
+from types import SimpleNamespace
+from unittest import mock
 
 import inputs
+from commands import figures
 from course_lib import png, provenance
 from course_lib.chapters import choose_chapters
 from course_lib.compare import Tolerances, compare_pictures, compare_tables, same_rate
@@ -106,6 +111,67 @@ class Staleness(TemporaryTree):
         self.assertEqual(provenance.prune(self.folder, ["cup"]), ["old.png"])
         self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["cup.png", "provenance.json"])
         self.assertEqual(list(provenance.read(self.folder)), ["cup"])
+
+
+class Drawing(TemporaryTree):
+    """Which figures ./course figures draws, and at what quality; the chapter's program is made up."""
+
+    def setUp(self):
+        super().setUp()
+        for name, text in FILES.items():
+            self.write(name, text)
+        self.drawn = []
+        for name, value in (("FIGURES", self.root / "figures"), ("DRAFT_FIGURES", self.root / "build/figures"),
+                            ("declarations", lambda: DECLARATIONS), ("run_chapter", self.run_chapter)):
+            patch = mock.patch.object(figures, name, value)
+            patch.start()
+            self.addCleanup(patch.stop)
+        patch = mock.patch.object(CurrentInputs, "of", lambda chapter, said: CurrentInputs("sources", {}))
+        patch.start()
+        self.addCleanup(patch.stop)
+
+    def run_chapter(self, chapter, out, names, quality, seed, threads=None):
+        self.drawn.append((quality, *names))
+        entries = {name: {"files": [], "quality": quality, "seed": seed, "inputs": {"sources": "sources"}} for name in names}
+        self.write((out / chapter / "provenance.json").relative_to(self.root), json.dumps({"figures": entries}))
+
+    def draw(self, quality="report", force=False):
+        """What is drawn, and what is said."""
+        self.drawn.clear()
+        args = SimpleNamespace(quality=quality, only=[], force=force, seed=1, threads=None)
+        with contextlib.redirect_stdout(io.StringIO()) as printed:
+            figures.draw_chapter(CHAPTER, {"cup": False}, args)
+        return self.drawn[:], printed.getvalue()
+
+    def test_where_the_committed_figures_are_up_to_date_a_draft_is_drawn(self):
+        self.run_chapter(CHAPTER, self.root / "figures", ["cup"], "report", 1)
+        drawn, said = self.draw()
+        self.assertEqual(drawn, [("draft", "cup")])
+        self.assertRegex(said, r"1 figure up to date in .*figures/01_curves/ \(--force draws them again\)\n")
+        self.assertEqual(self.draw()[0], [], "Is a draft that is up to date drawn again?")
+
+    def test_what_is_stale_is_drawn_as_a_report_alone(self):
+        self.assertEqual(self.draw()[0], [("report", "cup")])
+
+    def test_drafts_alone_when_these_are_asked_for(self):
+        self.assertEqual(self.draw(quality="draft")[0], [("draft", "cup")])
+        self.assertEqual(self.draw(quality="draft", force=True)[0], [("draft", "cup")])
+
+    def test_a_chapter_is_drawn_before_the_next_is_built(self):
+        done = []
+        args = SimpleNamespace(chapters=[], quality="draft", only=[], check=False, full=False, force=False, seed=1, threads=None,
+                               open=False)
+        replaced = {"choose_chapters": lambda words: ["01_curves", "02_rays"], "ensure_packages": lambda group: None,
+                    "all_chapters": lambda: [], "table_of_contents": lambda chapter: {},
+                    "draw_chapter": lambda chapter, table, args: done.append(f"draw {chapter}"),
+                    "write_page": lambda chapters, current: done.append("page") or self.root / "index.html"}
+        with contextlib.ExitStack() as stack:
+            stack.enter_context(contextlib.redirect_stdout(io.StringIO()))
+            stack.enter_context(mock.patch.object(figures.cmake, "build", lambda targets, title: done.append(f"build {targets[0]}")))
+            for name, value in replaced.items():
+                stack.enter_context(mock.patch.object(figures, name, value))
+            self.assertEqual(figures.run(args), 0)
+        self.assertEqual(done, ["build 01_curves", "draw 01_curves", "page", "build 02_rays", "draw 02_rays", "page", "build preview"])
 
 
 class ChapterChoice(TemporaryTree):

@@ -1,7 +1,11 @@
 """Tries every mistake of tests/NN_name/mistakes on the reference: the test that it names must catch it.
 
-Also checks that each graded test is needed: without it, a mistake would go uncaught.
+Also checks that each graded test is needed: without it, a mistake would go uncaught. With --systematic it tries mistakes
+that are made by rule instead (docs/mutants.md): how many do the graded tests let through?
 """
+
+import argparse
+from pathlib import Path
 
 from course_lib.chapters import add_chapters_argument, choose_chapters
 from course_lib.errors import CourseError
@@ -11,17 +15,45 @@ from exercises import student
 from exercises.catalog import read_catalog
 from exercises.mistakes import MutantTree, complaints, mistakes_folder, read_mistakes
 from exercises.trees import files_to_build, lay_out, work_folder
+from mutation.systematic import run_systematic
 
 HELP = "every listed mistake must be caught by its test"
 
 
 def add_arguments(parser):
     add_chapters_argument(parser, "all that have mistakes")
+    parser.add_argument("--systematic", action="store_true", help="mistakes made by rule instead of the listed ones")
+    rule = parser.add_argument_group("with --systematic")
+    rule.add_argument("--all", action="store_true", help="try all (the default); what earlier runs found out is kept")
+    rule.add_argument("--sample", type=at_least_one, metavar="N", help="try N of each chapter")
+    rule.add_argument("--seed", type=int, default=None, metavar="S", help="which ones, and in which order (default 1)")
+    rule.add_argument("--minutes", type=positive, metavar="M", help="begin nothing more after M minutes")
+    rule.add_argument("--only", metavar="EX", help="of one exercise: ex-02.3")
+    rule.add_argument("--at-least", type=float, default=95, metavar="P", help="per cent that must be caught (default 95)")
+    rule.add_argument("-j", "--jobs", type=at_least_one, metavar="N", help="programs at a time (default: a processor each)")
+    rule.add_argument("--json", type=Path, metavar="FILE", help="write what became of each mutant")
+    rule.add_argument("--csv", type=Path, metavar="FILE", help="write the counts by chapter and operator")
+
+
+def at_least_one(word):
+    number = int(word)
+    if number < 1:
+        raise argparse.ArgumentTypeError(f"{word} is not at least 1")
+    return number
+
+
+def positive(word):
+    number = float(word)
+    if not number > 0:
+        raise argparse.ArgumentTypeError(f"{word} is not above 0")
+    return number
 
 
 def run(args):
     if student.is_student_tree():
         raise CourseError("this is a student's tree, and mistakes belong to the course's own; run it there")
+    if args.systematic:
+        return run_systematic(args)
     chapters = chosen_chapters(args.chapters)
     ensure_packages("build")
     wrong = [complaint for chapter in chapters for complaint in try_chapter(read_catalog(chapter))]

@@ -123,7 +123,8 @@ def numbers(chapters):
 
 
 def run_release(parts, chapters, everything):
-    parts.step("build", lambda: cmake.build() and None)
+    targets = () if everything else (*chapters, *test_programs(chapters))
+    parts.step("build", lambda: cmake.build(targets=targets) and None)
     parts.step("headers by themselves", check_headers)
     parts.step("who includes whom", check_order)
     selections = release_selections(chapters, everything)

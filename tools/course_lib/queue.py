@@ -48,8 +48,8 @@ def full_checks(numbers, large, everything):
     """
     first = [check for number in numbers for check in (
         chapter_check("sanitize", number, "test", "--preset", "sanitize"),
-        chapter_check("tidy", number, "tidy", more=(".clang",)),
         chapter_check("mutants", number, "mutants", more=(f"tests/{number}_",)))]
+    first += [chapter_check("tidy", number, "tidy", more=(".clang",)) for number in numbers]
     later = [check for number in numbers for check in (
         *([chapter_check("large", number, "test", "--large")] if number in large else []),
         chapter_check("thread", number, "test", "--preset", "thread"),

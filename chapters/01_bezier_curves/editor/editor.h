@@ -77,6 +77,9 @@ private:
     void fit();
     void complain(const std::string& text);
     void act(int code);
+    // A key while the list of profiles is shown; a key that changes what is seen.
+    void answer(int code);
+    void look(int code);
     void leftDown(const Vec2& pixel);
     std::optional<PointId> pointAt(const Vec2& pixel) const;
 

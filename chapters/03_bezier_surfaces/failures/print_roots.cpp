@@ -3,8 +3,6 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "core/check.h"
-#include "core/text.h"
 #include "failures/root_examination.h"
 
 namespace caustic {
@@ -28,20 +26,16 @@ nlohmann::ordered_json entryOf(const std::string& surface, const std::string& se
 
 }  // namespace
 
-void printRoots(const std::string& rays, std::uint64_t seed, int threads, std::ostream& out) {
-    constexpr long long mostRays = 1'000'000'000;
-    const long long count = parseInteger(rays).value_or(0);
-    checkArgument(count >= 10 && count <= mostRays, "--roots", rays, "must be a whole number from 10 to 1000000000");
-
+void printRoots(std::int64_t rays, std::uint64_t seed, int threads, std::ostream& out) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     const auto revolutionSets = revolutionSetNames();
     for (std::size_t set = 0; set < revolutionSets.size(); ++set) {
-        const auto found = examineRevolution(set, set == 0 ? count : count / 10, seed, threads);
+        const auto found = examineRevolution(set, set == 0 ? rays : rays / 10, seed, threads);
         list.push_back(entryOf("revolution", revolutionSets[set], found));
     }
     const auto patchSets = patchSetNames();
     for (std::size_t set = 0; set < patchSets.size(); ++set) {
-        const auto found = examinePatches(set, set == 0 ? count : count / 10, seed, threads);
+        const auto found = examinePatches(set, set == 0 ? rays : rays / 10, seed, threads);
         list.push_back(entryOf("patch", patchSets[set], found));
     }
     out << list.dump(1) << '\n';

@@ -3,8 +3,6 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "core/check.h"
-#include "core/text.h"
 #include "figure/timing.h"
 #include "math/slabs.h"
 #include "revolution_cases.h"
@@ -35,12 +33,9 @@ nlohmann::ordered_json jsonOf(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
 }  // namespace
 
-void printLathe(const std::string& width, std::ostream& out) {
-    const long long side = parseInteger(width).value_or(0);
-    checkArgument(side >= 16 && side <= 2048, "--lathe", width, "must be a whole number from 16 to 2048");
-
+void printLathe(int width, std::ostream& out) {
     const SurfaceOfRevolution surface(plainVase());
-    const std::vector<Ray> rays = raysOf(static_cast<int>(side));
+    const std::vector<Ray> rays = raysOf(width);
     std::int64_t tests = 0;
     for (const Ray& ray : rays) tests += mayMeet(surface.bounds(), ray) ? 1 : 0;
     const double nanoseconds = medianNanoseconds({[&] {

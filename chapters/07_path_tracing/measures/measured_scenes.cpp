@@ -53,13 +53,17 @@ const std::vector<MeasuredScene>& measuredScenes() {
     return scenes;
 }
 
+std::vector<std::string> measuredSceneNames() {
+    std::vector<std::string> names;
+    for (const MeasuredScene& scene : measuredScenes()) names.push_back(scene.name);
+    return names;
+}
+
 const MeasuredScene& measuredScene(const std::string& name) {
-    std::string names;
     for (const MeasuredScene& scene : measuredScenes()) {
         if (scene.name == name) return scene;
-        names += (names.empty() ? "" : ", ") + scene.name;
     }
-    throw InputError({"--scene", 0}, name, "no such scene; there are " + names);
+    throw InputError({"measured scenes", 0}, name, "there is none of that name");
 }
 
 Image referenceOf(const MeasuredScene& scene, int width, const std::filesystem::path& file, int threads) {

@@ -32,6 +32,9 @@ DiffuseBox smallLampBox();
 /// All of them: a diffuse box, the same with a small lamp and a mirror, a caustic on a floor, and the peers' box.
 const std::vector<MeasuredScene>& measuredScenes();
 
+/// Their names.
+std::vector<std::string> measuredSceneNames();
+
 /// The one of that name.
 /// @throws InputError when there is none
 const MeasuredScene& measuredScene(const std::string& name);

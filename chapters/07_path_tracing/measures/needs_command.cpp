@@ -1,7 +1,6 @@
 #include "measures/needs_command.h"
 
 #include "camera/box_filter.h"
-#include "core/check.h"
 #include "figure/timing.h"
 #include "integrator/render.h"
 #include "light/point_light.h"
@@ -20,7 +19,6 @@ namespace caustic {
 namespace {
 
 constexpr int width = 32;
-constexpr long long mostSamples = 1'000'000;
 
 SceneDescription pointLamp() {
     SceneDescription room = DiffuseBox{}.scene(width, width);
@@ -46,13 +44,6 @@ SceneDescription mediumAndTexture() {
     return room;
 }
 
-std::int64_t numberBelow(const std::string& text, const std::string& option, long long end) {
-    const auto number = parseInteger(text);
-    checkArgument(number && *number >= 0 && *number < end, option, text,
-                  "must be an integer from 0 to " + std::to_string(end - 1));
-    return *number;
-}
-
 }  // namespace
 
 const std::vector<NeedyScene>& needyScenes() {
@@ -64,16 +55,12 @@ const std::vector<NeedyScene>& needyScenes() {
     return scenes;
 }
 
-void tracePaths(const std::string& scene, const std::string& method, const std::string& samples) {
-    const auto& scenes = needyScenes();
-    const std::int64_t which = numberBelow(scene, "--trace", static_cast<long long>(scenes.size()));
-    const std::int64_t how = numberBelow(method, "--method", static_cast<long long>(allMethods.size()));
-    const std::int64_t paths = numberBelow(samples, "--samples", mostSamples);
-    const Scene made(scenes[static_cast<std::size_t>(which)].make());
+void tracePaths(std::int64_t scene, std::int64_t method, std::int64_t samples) {
+    const Scene made(needyScenes().at(static_cast<std::size_t>(scene)).make());
     const IndependentSampler sampler(1);
     const BoxFilter filter;
-    const auto integrator = makeIntegrator(allMethods[static_cast<std::size_t>(how)], made, sampler, filter, 10);
-    if (paths > 0) keep(render(*integrator, {.passes = paths}).film.value({0, 0}));
+    const auto integrator = makeIntegrator(allMethods.at(static_cast<std::size_t>(method)), made, sampler, filter, 10);
+    keep(render(*integrator, {.passes = samples}).film.value({0, 0}));
 }
 
 }  // namespace caustic

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -20,8 +21,7 @@ const std::vector<NeedyScene>& needyScenes();
 /// Traces paths in one of them and nothing else, so that a profiler can count what they take.
 /// @param scene    its number, from 0
 /// @param method   number of the method among allMethods
-/// @param samples  paths of each of its 1024 pixels
-/// @throws InputError when one of the three isn't such a number
-void tracePaths(const std::string& scene, const std::string& method, const std::string& samples);
+/// @param samples  paths of each of its 1024 pixels, at least 1
+void tracePaths(std::int64_t scene, std::int64_t method, std::int64_t samples);
 
 }  // namespace caustic

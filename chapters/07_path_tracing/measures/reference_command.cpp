@@ -22,6 +22,7 @@ namespace caustic {
 
 namespace {
 
+constexpr const char* causticOnFloor = "caustic_floor";
 constexpr int causticWidth = 128;
 constexpr std::int64_t photonsARound = 4'000'000;
 
@@ -75,12 +76,19 @@ std::array<Image, 2> halves(const std::function<Image(std::uint64_t seed)>& roun
 
 }  // namespace
 
-void makeReference(const std::string& picture, const std::string& minutes, const ChapterInputs& chapter,
+std::vector<std::string> referenceNames() {
+    std::vector<std::string> names;
+    for (const EqualTimePicture& one : equalTimePictures())
+        names.push_back(std::filesystem::path(one.asset).stem().string());
+    names.emplace_back(causticOnFloor);
+    return names;
+}
+
+void makeReference(const std::string& picture, double minutes, const ChapterInputs& chapter,
                    const ChapterOptions& options) {
-    const double limit = positiveNumber(minutes, "--minutes");
     std::function<Image(std::uint64_t)> round;
     std::vector<bool> leftOut;
-    if (picture == "caustic_floor") {
+    if (picture == causticOnFloor) {
         round = [&](std::uint64_t seed) {
             return causticReference({}, causticWidth, photonsARound, options.threads, seed);
         };
@@ -96,8 +104,8 @@ void makeReference(const std::string& picture, const std::string& minutes, const
             return render(*tracer, {.passes = 4, .threads = options.threads}).film.image();
         };
     }
-    checkArgument(round != nullptr, "--reference", picture, "must be peers_box, caustic_mirror or caustic_floor");
-    const auto [first, second] = halves(round, limit);
+    checkArgument(round != nullptr, "references", picture, "there is none of that name");
+    const auto [first, second] = halves(round, minutes);
     saveImage(chapter.sourceDir / "assets/references" / (picture + ".exr"), average(first, second));
     std::printf("its own error, from the halves' difference: RMSE %.5f\n", rmse(first, second, leftOut) / 2);
 }

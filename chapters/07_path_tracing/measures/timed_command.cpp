@@ -28,9 +28,7 @@ std::string fileName(const std::string& name) {
 
 }  // namespace
 
-void renderTimed(const std::string& seconds, const std::string& name, const ChapterInputs& chapter,
-                 const ChapterOptions& options) {
-    const double limit = positiveNumber(seconds, "--time");
+void renderTimed(double seconds, const std::string& name, const ChapterInputs& chapter, const ChapterOptions& options) {
     const MeasuredScene& measured = measuredScene(name);
     const int width = measured.width;
     const std::filesystem::path folder = options.out / chapter.name;
@@ -52,7 +50,7 @@ void renderTimed(const std::string& seconds, const std::string& name, const Chap
             if (powerOfTwo(soFar.passes)) enter(soFar);
             return true;
         };
-        const Rendering rendering = render(*integrator, {.seconds = limit, .look = look});
+        const Rendering rendering = render(*integrator, {.seconds = seconds, .look = look});
         if (!powerOfTwo(rendering.passes)) enter(rendering);
         const Image picture = rendering.film.image();
         const Real error = rmse(picture, reference, leftOut);

@@ -8,10 +8,9 @@ namespace caustic {
 
 /// Renders a scene by each method for some seconds of one thread's computing time, holds the pictures against the
 /// scene's reference after each doubling of samples, and writes pictures and `timed_SCENE.csv`.
-/// @param seconds  of each method, as the user wrote it
+/// @param seconds  of each method, greater than 0
 /// @param scene    one of measuredScenes()
-/// @throws InputError when seconds is no positive number, or there is no such scene
-void renderTimed(const std::string& seconds, const std::string& scene, const ChapterInputs& chapter,
-                 const ChapterOptions& options);
+/// @throws InputError when there is no such scene
+void renderTimed(double seconds, const std::string& scene, const ChapterInputs& chapter, const ChapterOptions& options);
 
 }  // namespace caustic

@@ -1,7 +1,6 @@
 #include "measures/work.h"
 
 #include <algorithm>
-#include <cmath>
 #include <fstream>
 
 #include <nlohmann/json.hpp>
@@ -41,23 +40,16 @@ std::int64_t WorkCounts::samples(const std::string& picture, Method method, Qual
     return quality == Quality::Report ? report : std::max<std::int64_t>(1, report / 16);
 }
 
-double positiveNumber(const std::string& text, const std::string& option) {
-    const auto number = parseReal(text);
-    checkArgument(number && std::isfinite(*number) && *number > 0, option, text, "must be a number greater than 0");
-    return *number;
-}
-
-void recalibrate(const std::string& seconds, const ChapterInputs& chapter) {
-    const double limit = positiveNumber(seconds, "--recalibrate");
+void recalibrate(double seconds, const ChapterInputs& chapter) {
     nlohmann::ordered_json json;
-    json["seconds"] = limit;
+    json["seconds"] = seconds;
     for (const EqualTimePicture& picture : equalTimePictures()) {
         const Scene scene(picture.make());
         const IndependentSampler sampler(1);
         const BoxFilter filter;
         for (const Method method : allMethods) {
             const auto integrator = makeIntegrator(method, scene, sampler, filter, picture.mostSegments);
-            json["samples"][picture.name][nameOf(method)] = render(*integrator, {.seconds = limit}).passes;
+            json["samples"][picture.name][nameOf(method)] = render(*integrator, {.seconds = seconds}).passes;
         }
     }
     writeTextAtomically(chapter.sourceDir / place, json.dump(2) + "\n");

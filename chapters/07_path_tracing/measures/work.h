@@ -29,14 +29,8 @@ private:
     std::map<std::string, std::map<std::string, std::int64_t>> samples_;
 };
 
-/// Reads a number that must be greater than 0.
-/// @param option  what the message names
-/// @throws InputError otherwise
-double positiveNumber(const std::string& text, const std::string& option);
-
 /// Renders each equal-time picture by each method for so many seconds of one thread, and writes work.json.
-/// @param seconds  as the user wrote it
-/// @throws InputError when it is no positive number
-void recalibrate(const std::string& seconds, const ChapterInputs& chapter);
+/// @param seconds  greater than 0
+void recalibrate(double seconds, const ChapterInputs& chapter);
 
 }  // namespace caustic

@@ -1,6 +1,6 @@
-"""libFuzzer on the OBJ and SVG readers, under the address and undefined-behaviour sanitizers: nothing may be found.
+"""libFuzzer on the SVG, OBJ, PLY, STL and glTF readers, under the address and undefined-behaviour sanitizers: nothing may be found.
 
-Ten minutes each; --seconds N takes another time. What is new to a reader joins its corpus, which is committed. A find is left in
+Ten minutes each; --seconds N takes another time, --reader NAME one of them. What is new to a reader joins its corpus, which is committed. A find is left in
 build/fuzz/ and its file is named.
 """
 
@@ -19,11 +19,18 @@ FOLDER = BUILD / "fuzz"
 CASES = ("each reader of files",)
 NEEDS = ("clang",)
 Target = namedtuple("Target", "name sources libraries")
+MESH = ["mesh/mesh_data.cpp", "mesh/polygon.cpp", "mesh/scalar_type.cpp"]
 TARGETS = (
-    Target("obj", ["mesh/obj_file.cpp", "mesh/polygon.cpp", "mesh/mesh_data.cpp"], []),
-    Target("svg", ["curve/svg_document.cpp", "curve/svg_path_data.cpp", "curve/svg_transform.cpp", "curve/svg_arc.cpp",
-                   "curve/bezier_spline.cpp", "curve/bezier_curve.cpp", "curve/bernstein.cpp", "curve/curve_bounds.cpp",
-                   "curve/arc_length.cpp", "curve/gauss_legendre.cpp", "curve/profile_limits.cpp"], ["-lpugixml"]),
+    Target("svg", ["curve/svg_document.cpp", "curve/svg_namespaces.cpp", "curve/svg_path_finder.cpp",
+                   "curve/svg_path_data.cpp", "curve/svg_scanner.cpp", "curve/svg_style.cpp", "curve/svg_transform.cpp",
+                   "curve/svg_arc.cpp", "curve/bezier_spline.cpp", "curve/bezier_curve.cpp", "curve/bernstein.cpp",
+                   "curve/curve_bounds.cpp", "curve/arc_length.cpp", "curve/gauss_legendre.cpp",
+                   "curve/profile_limits.cpp"], ["-lpugixml"]),
+    Target("obj", ["mesh/obj_file.cpp", *MESH], []),
+    Target("ply", ["mesh/ply_file.cpp", "mesh/ply_data.cpp", "mesh/ply_header.cpp", *MESH], []),
+    Target("stl", ["mesh/stl_file.cpp", *MESH], []),
+    Target("gltf", ["mesh/gltf_file.cpp", "mesh/gltf_accessor.cpp", "mesh/gltf_model.cpp", *MESH],
+           [HERE / "tinygltf.cpp", "-DTINYGLTF_NO_STB_IMAGE", "-DTINYGLTF_NO_STB_IMAGE_WRITE"]),
 )
 CORE = ["core/error.cpp", "core/text.cpp"]
 FLAGS = ["-std=c++20", "-O1", "-g", "-ffp-contract=off", "-fsanitize=fuzzer,address,undefined",
@@ -32,6 +39,7 @@ FLAGS = ["-std=c++20", "-O1", "-g", "-ffp-contract=off", "-fsanitize=fuzzer,addr
 
 def options():
     parser = option_parser("fuzz", __doc__)
+    parser.add_argument("--reader", choices=[target.name for target in TARGETS], help="this one alone")
     parser.add_argument("--seconds", type=int, default=600, metavar="N", help="for each reader (600 by default)")
     return parser.parse_args()
 
@@ -77,9 +85,10 @@ def main():
         raise CourseError(f"--seconds {chosen.seconds}: must be at least 1")
     ensure_packages("bench")
     FOLDER.mkdir(parents=True, exist_ok=True)
-    results = [fuzz(target, chosen.seconds) for target in TARGETS]
+    targets = [target for target in TARGETS if chosen.reader in (None, target.name)]
+    results = [fuzz(target, chosen.seconds) for target in targets]
     save_quantities(chosen.csv, [(f"{target.name} reader", f"libFuzzer, {chosen.seconds} s: ended without a find", int(good), "1", "1")
-                                 for target, good in zip(TARGETS, results)])
+                                 for target, good in zip(targets, results)])
     return 0 if all(results) else 1
 
 

@@ -21,10 +21,15 @@
     };
     const STEPS = 24;
 
+    // A box around each segment's control points; a point is at least that far from the curve.
+    const boxOf = points => [0, 1].map(i => [Math.min(...points.map(p => p[i])), Math.max(...points.map(p => p[i]))]);
+    const toBox = (p, box) => Math.hypot(...box.map(([low, high], i) => Math.max(low - p[i], 0, p[i] - high)));
+
     // Distance of a point from a curve: the nearest chord, and then the curve above it and its neighbours.
-    const toCurve = (p, segments, chords) => {
+    const toCurve = (p, segments, chords, boxes) => {
         let best = Infinity, where = null;
         segments.forEach((segment, j) => {
+            if (toBox(p, boxes[j]) >= best) return;
             for (let i = 0; i < STEPS; ++i) {
                 const distance = toChord(p, chords[j][i], chords[j][i + 1]);
                 if (distance < best) { best = distance; where = [segment, i]; }
@@ -46,15 +51,16 @@
         if (segments.length === 0 || length === 0)
             return {distance: segments.length === 0 && length === 0 ? 0 : Infinity, moved: false};
         const chords = segments.map(s => Array.from({length: STEPS + 1}, (_, i) => at(s, i / STEPS)));
+        const boxes = segments.map(boxOf);
         const all = chords.flat();
-        const range = i => Math.max(...all.map(p => p[i])) - Math.min(...all.map(p => p[i]));
-        const size = Math.hypot(range(0), range(1));
+        const extent = i => all.reduce(([low, high], p) => [Math.min(low, p[i]), Math.max(high, p[i])], [Infinity, -Infinity]);
+        const size = Math.hypot(...[0, 1].map(i => extent(i)[1] - extent(i)[0]));
         const count = Math.min(4000, Math.max(64, 6 * segments.length));
         const points = Array.from({length: count + 1}, (_, i) => {
             const p = path.getPointAtLength(length * i / count).matrixTransform(matrix);
             return [p.x, p.y];
         });
-        const theirs = Math.max(...points.map(p => toCurve(p, segments, chords)));
+        const theirs = Math.max(...points.map(p => toCurve(p, segments, chords, boxes)));
         // The other way round, so that nothing of ours is missing there: every joint of ours lies near a point of theirs.
         const scale = Math.sqrt(Math.abs(matrix.a * matrix.d - matrix.b * matrix.c));
         const spacing = length * Math.hypot(matrix.a, matrix.b, matrix.c, matrix.d) / count;

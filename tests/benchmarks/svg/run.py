@@ -124,7 +124,7 @@ def main():
         raise CourseError(f"{ICONS} is missing; ./course setup --group test installs adwaita-icon-theme")
     files = [*sorted(ICONS.rglob("*.svg")), *sorted(FIELD.glob("*.svg"))]
     script = Path(__file__).with_name("compare.js").read_text()
-    with Browser() as browser, Step(f"compare {len(files)} files"):
+    with Browser(timeout=300) as browser, Step(f"compare {len(files)} files"):
         tally = compare(files, browser, script)
         circle = circles(browser)
     save(tally, circle, chosen.csv)
