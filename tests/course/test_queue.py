@@ -103,6 +103,11 @@ class Parts(unittest.TestCase):
         self.assertNotIn("large 01", names)
         self.assertEqual(len(names), len(set(names)))
 
+    def test_mistakes_by_rule_are_asked_of_the_chapters_that_catch_them(self):
+        names = [check.name for check in full_checks(["07", "08"], set(), everything=False)]
+        self.assertIn("mutants by rule 08", names)
+        self.assertNotIn("mutants by rule 07", names)
+
 
 if __name__ == "__main__":
     unittest.main()

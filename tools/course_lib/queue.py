@@ -19,6 +19,9 @@ from course_lib.paths import ROOT
 from course_lib.terminal import format_duration, say
 from exercises.trees import source_files
 
+FIRST_BY_RULE = 8  # chapters from here on catch 95 % of the mistakes that are made by rule (docs/mutants.md)
+SAMPLE = "60"  # of these mistakes, of each chapter
+
 COUNT = re.compile(r"^(\d+) passed, (\d+) failed$", re.MULTILINE)
 
 
@@ -50,6 +53,8 @@ def full_checks(numbers, large, everything):
         chapter_check("sanitize", number, "test", "--preset", "sanitize"),
         chapter_check("mutants", number, "mutants", more=(f"tests/{number}_",)))]
     first += [chapter_check("tidy", number, "tidy", more=(".clang",)) for number in numbers]
+    first += [chapter_check("mutants by rule", number, "mutants", "--systematic", "--sample", SAMPLE, more=(f"tests/{number}_",))
+              for number in numbers if int(number) >= FIRST_BY_RULE]
     later = [check for number in numbers for check in (
         *([chapter_check("large", number, "test", "--large")] if number in large else []),
         chapter_check("thread", number, "test", "--preset", "thread"),
