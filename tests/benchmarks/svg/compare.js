@@ -1,11 +1,12 @@
-// Compares the drawn paths of the page with control points of ours, in the units of the outermost svg element.
-// ours: for each path its subpaths, for each subpath its segments, for each segment its four control points.
+// Shows an SVG file in the page and compares its drawn paths with control points of ours, in the units of its svg element.
+// text: the file; ours: for each path its subpaths, for each subpath its segments, for each segment its four control points.
 // Returns for each path: ours' distance from Chromium's in units of the path's size, the difference of the two lengths,
 // and whether a transform touches it.
-(ours => {
+((text, ours) => {
     const NEVER = "defs, symbol, clipPath, mask, marker, pattern, linearGradient, radialGradient, filter, metadata";
-    const root = document.documentElement;
-    const drawn = [...document.querySelectorAll("path")].filter(
+    const root = document.importNode(new DOMParser().parseFromString(text, "image/svg+xml").documentElement, true);
+    document.body.replaceChildren(root);
+    const drawn = [...root.querySelectorAll("path")].filter(
         path => !path.closest(NEVER) && path.checkVisibility({visibilityProperty: true}));
     if (drawn.length !== ours.length) return {paths: drawn.length};
 

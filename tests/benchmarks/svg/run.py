@@ -72,13 +72,14 @@ def control_points(file):
 
 def compare(files, browser, script):
     tally = Tally()
+    browser.open("data:text/html,<!DOCTYPE html><meta charset=utf-8><body>")
     for file in files:
         ours, reason = control_points(file)
         if ours is None:
             tally.refused.append(reason)
             continue
-        browser.open(file)
-        tally.add(file.name, ours, browser.evaluate(f"({script})({json.dumps(ours)})"))
+        text = file.read_text(encoding="utf-8")
+        tally.add(file.name, ours, browser.evaluate(f"{script}({json.dumps(text)}, {json.dumps(ours)})"))
     return tally
 
 
