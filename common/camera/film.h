@@ -18,8 +18,8 @@ struct BadSample {
     std::int64_t index = 0;  ///< which of the pixel's samples
 };
 
-/// Gathers samples and makes them a picture. Sums are in double precision and in the order of the calls, so who wants
-/// the same picture for any number of threads adds in a fixed order.
+/// Gathers samples and makes them a picture. Sums are in double precision and in the order of the calls, so whoever
+/// wants the same picture for any number of threads adds in a fixed order.
 class Film {
 public:
     /// @throws InputError when the size is not one of an image

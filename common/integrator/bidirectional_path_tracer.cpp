@@ -16,28 +16,30 @@ constexpr std::size_t mostUsual = 8;  // vertices of a walk, for which room is m
 // Whether a walk can find the light by chance.
 bool canBeHit(const Light& light) { return !light.deltaPlace(); }
 
-// Density of the walk that starts with this sample, at its first vertex, the light.
+// The walk that starts with this sample, at its first vertex, the light. Georgiev 2012, eq. 31 to 33.
 DensityWalk startOf(const LightStart& start) {
     const EmissionSample& emission = start.emission;
     const Light& light = *start.light.light;
     const Real cosine = std::max(std::abs(emission.ng.dot(emission.ray.direction)), Real(1e-60));
-    PathDensity first;
-    first.open = canBeHit(light) ? 1 : 0;
-    if (light.infinite()) {
-        // The first vertex is a direction, the second one is picked by the place.
-        first.forward = start.light.probability * emission.pdfW;
-        return {first, {emission.pdfA, 1, false}, std::nullopt, 1};
-    }
-    first.forward = start.light.probability * emission.pdfA;
-    return {first, {emission.pdfW, 1, false}, emission.ray.origin, cosine};
+    // At infinity the first vertex is a direction, and the place picks the second one.
+    if (light.infinite())
+        return {PathDensity::start(start.light.probability * emission.pdfW, canBeHit(light)),
+                {.forward = emission.pdfA},
+                std::nullopt,
+                1};
+    return {PathDensity::start(start.light.probability * emission.pdfA, canBeHit(light)),
+            {.forward = emission.pdfW},
+            emission.ray.origin,
+            cosine};
 }
 
-// The same for the eye. It can't be hit by chance; and what it can't splat to, no walk from a light ends at.
+// The walk that starts at the eye, which no walk from a light hits by chance.
+// @param pdfW  density of the ray's direction on the film, 1/sr; 0 where nothing is splatted: beyond the film's edges,
+// or
+//              without a film
 DensityWalk startOf(const Ray& ray, Real pdfW) {
-    PathDensity first;
-    first.open = 0;
-    const bool onFilm = pdfW > 0;
-    return {first, {onFilm ? pdfW : 1, 1, !onFilm}, ray.origin, 1};
+    const bool splatted = pdfW > 0;
+    return {PathDensity::start(1, false), {.forward = splatted ? pdfW : 1, .connectible = splatted}, ray.origin, 1};
 }
 
 }  // namespace
@@ -80,10 +82,11 @@ private:
         const auto seen = connectToCamera(scene_, at, path.beta, path.length - 1, numbers_, counts_);
         if (!seen) return;
         const ImportanceSample& camera = seen->camera;
-        const Real cosine = at.geometricCosine(camera.wi);
-        const Real byEye =
-            scene_.camera().pdf({camera.lens, -camera.wi}).pdfW * cosine / (camera.distance * camera.distance);
-        const Real others = walk_.density().others(byEye, at.reversePdfW(camera.wi));
+        const Real pdfW = scene_.camera().pdf({camera.lens, -camera.wi}).pdfW;
+        // Veach 1997, eq. 8.2: over area.
+        const Real reverse = pdfW * at.geometricCosine(camera.wi) / (camera.distance * camera.distance);
+        // Georgiev 2012, eq. 46; eq. 47, the eye's share, is 0.
+        const Real others = walk_.density().others(reverse, at.reversePdfW(camera.wi));
         found_.contributions.push_back({path.length + 1, 1, seen->value, strategyWeight(others, 0), camera.film});
     }
 
@@ -120,6 +123,7 @@ public:
         walk_.escape();
         for (const ChosenLight& one : tracer_.lights_.infinite()) {
             const EmissionPdf pdf = one.light->pdfEmission({}, -path.ray.direction);
+            // Georgiev 2012, eq. 43.
             const Real others = walk_.density().others(one.probability * pdf.pdfW, pdf.pdfA);
             add(0, path.length + 1, path.beta * one.light->Le(path.ray), seenDirectly(path) ? 0 : others);
         }
@@ -131,6 +135,7 @@ private:
         const Color Le = at.Le();
         if ((Le == 0).all()) return;
         const EmissionPdf pdf = at.light()->pdfEmission(at.hit(), at.wo());
+        // Georgiev 2012, eq. 43; eq. 42, the light's share, is 0.
         const Real others = walk_.density().others(tracer_.lights_.probability(*at.light()) * pdf.pdfA, pdf.pdfW);
         add(0, path.length + 1, path.beta * Le, seenDirectly(path) ? 0 : others);
     }
@@ -142,14 +147,13 @@ private:
         const Light& light = *direct->light.light;
         const DirectSample& sample = direct->sample;
 
-        // In the measure of solid angle, seen from here: what the light's first vertex is picked by.
-        PathDensity first;
-        first.forward = direct->pdfW;
-        first.open = canBeHit(light) ? 1 : 0;
-        const Real fromLight = first.others(at.pdfW(sample.wi), 0);
+        // Georgiev 2012, eq. 44: the light's only vertex, in the measure of solid angle, seen from here.
+        const Real fromLight = PathDensity::start(direct->pdfW, canBeHit(light)).others(at.pdfW(sample.wi), 0);
         const EmissionPdf pdf = light.pdfEmission(sample.on, -sample.wi);
-        const Real arrives = light.infinite() ? pdf.pdfA : pdf.pdfW / sample.ray.direction.squaredNorm();
-        const Real fromEye = walk_.density().others(arrives * at.geometricCosine(sample.wi), at.reversePdfW(sample.wi));
+        // Veach 1997, eq. 8.2: over area. What comes from infinity has a density over the disc that it passes.
+        const Real perArea = light.infinite() ? pdf.pdfA : pdf.pdfW / sample.ray.direction.squaredNorm();
+        // Georgiev 2012, eq. 45.
+        const Real fromEye = walk_.density().others(perArea * at.geometricCosine(sample.wi), at.reversePdfW(sample.wi));
         add(1, path.length + 1, path.beta * direct->value, fromLight + fromEye);
     }
 
@@ -159,10 +163,13 @@ private:
         const auto joined = connectVertices(tracer_.scene(), {z, path.beta}, {y, light.beta}, counts_);
         if (!joined) return;
         const Vec3& wi = joined->wi;
-        const Real cosY = y.geometricCosine(wi) / joined->squaredDistance;
-        const Real cosZ = z.geometricCosine(wi) / joined->squaredDistance;
-        const Real fromLight = light.density.others(z.pdfW(wi) * cosY, y.reversePdfW(-wi));
-        const Real fromEye = walk_.density().others(y.pdfW(-wi) * cosZ, z.reversePdfW(wi));
+        // Veach 1997, eq. 8.2: each end is picked by the other one, over area.
+        const Real pickedY = z.pdfW(wi) * y.geometricCosine(wi) / joined->squaredDistance;
+        const Real pickedZ = y.pdfW(-wi) * z.geometricCosine(wi) / joined->squaredDistance;
+        // Georgiev 2012, eq. 40.
+        const Real fromLight = light.density.others(pickedY, y.reversePdfW(-wi));
+        // Georgiev 2012, eq. 41.
+        const Real fromEye = walk_.density().others(pickedZ, z.reversePdfW(wi));
         add(light.s, path.length + 1, joined->value, fromLight + fromEye);
     }
 

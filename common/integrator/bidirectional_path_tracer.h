@@ -23,7 +23,7 @@ struct StrategyContribution {
 /// connected to the camera and splatted; else the two ends are connected. What several strategies can make is weighted
 /// by the power heuristic over all of them. Lights that are seen directly come by s = 0 alone.
 ///
-/// What it cannot make: light from a point that goes by delta lobes only between two surfaces that spread it, seen by
+/// What it cannot make: light from a point that goes by delta lobes only between two non-specular surfaces, seen by
 /// delta lobes only, or comes to the eye by delta lobes alone. What it makes by chance only: specular, diffuse,
 /// specular. Source: Veach 1997, ch. 10; Lafortune, Willems 1993, Bi-directional Path Tracing.
 class BidirectionalPathTracer final : public Integrator {

@@ -24,6 +24,7 @@ std::optional<CameraConnection> connectToCamera(const Scene& scene, const Intera
     if ((f == 0).all()) return std::nullopt;
     const Color passed = scene.transmittance(at.spawnTo(seen->lens), at.media(seen->wi), counts);
     if ((passed == 0).all()) return std::nullopt;
+    // Veach 1997, eq. 10.8 for t = 1, where We takes the place of the eye's f.
     const Real geometry = at.cosine(seen->wi) * seen->cosine / (seen->distance * seen->distance);
     return CameraConnection{*seen, beta * f * (geometry * seen->We / seen->pdfA) * passed};
     //! [ex-07.5]

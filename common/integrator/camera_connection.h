@@ -19,7 +19,7 @@ struct CameraConnection {
 /// @param beta     throughput of the light path at the vertex, W
 /// @param vertex   which vertex of the path it is, from 0
 /// @param numbers  the light path's: a lens takes a pair
-/// @param counts   what was asked of the scene is added
+/// @param counts   what is done in the scene is added
 /// @return nothing when it isn't on the film, something is in the way, or no light goes there
 std::optional<CameraConnection> connectToCamera(const Scene& scene, const Interaction& at, const Color& beta,
                                                 int vertex, const PathNumbers& numbers, RayCounts& counts);

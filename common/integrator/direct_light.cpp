@@ -16,6 +16,7 @@ std::optional<DirectLight> sampleDirectLight(const Scene& scene, const LightChoi
     if ((f == 0).all()) return std::nullopt;
     const Color passed = scene.transmittance(sample->ray, at.media(sample->wi), counts);
     if ((passed == 0).all()) return std::nullopt;
+    // Shirley, Wang, Zimmerman 1996, Monte Carlo Techniques for Direct Lighting Calculations: one of several lights.
     const Real pdfW = chosen->probability * sample->pdfW;
     const Color value = f * at.cosine(sample->wi) * sample->radiance * passed / pdfW;
     return DirectLight{*chosen, *sample, pdfW, value};

@@ -20,7 +20,7 @@ struct DirectLight {
 /// Samples the light that comes to a vertex straight from the lights: one of them, and a direction to it.
 /// @param at      connectible()
 /// @param vertex  which vertex of the path it is, from 0: whose numbers are taken
-/// @param counts  what was asked of the scene is added
+/// @param counts  what is done in the scene is added
 /// @return nothing when none comes from there
 std::optional<DirectLight> sampleDirectLight(const Scene& scene, const LightChoice& lights, const Interaction& at,
                                              int vertex, const PathNumbers& numbers, RayCounts& counts);

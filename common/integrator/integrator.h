@@ -45,7 +45,7 @@ public:
 
     /// The radiance that comes in along a ray, estimated with the path's numbers, W/(m²·sr).
     /// @param media   what the ray starts in
-    /// @param counts  what was asked of the scene is added
+    /// @param counts  what is done in the scene is added
     virtual Color Li(const Ray& ray, const MediumStack& media, const PathNumbers& numbers, RayCounts& counts) const = 0;
 
     /// Runs one pass.
@@ -54,7 +54,7 @@ public:
     virtual Rendering runPass(const Pass& pass, int threads);
 
     /// Traces one path: the value of its pixel. What it brings to any other place of the film is appended to `splats`.
-    /// @param counts  what was asked of the scene is added
+    /// @param counts  what is done in the scene is added
     virtual Color tracePath(const PathId& path, std::vector<Splat>& splats, RayCounts& counts) const;
 
     /// Adds to the picture, a mean over passes, what isn't one: what the method has kept of all of them.

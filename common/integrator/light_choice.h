@@ -16,7 +16,7 @@ struct ChosenLight {
     Real probability = 0;  ///< 0 for one that is nothing beside the others: it is never chosen
 };
 
-/// Chooses one of a scene's lights, each in proportion to its power (the strongest colour of it): who asks one light
+/// Chooses one of a scene's lights, each in proportion to its power (its largest channel). Whoever samples one light
 /// instead of all of them divides what it brings by the probability.
 class LightChoice {
 public:

@@ -11,8 +11,8 @@ namespace caustic {
 /// one ray a path, which is all that Li estimates.
 ///
 /// What it cannot make: whatever is seen over a mirror or through smooth glass, L(S|D)*SE, since the last surface
-/// before the pinhole has to spread light; lights seen that way among it. That light is missing. Source: Arvo 1986,
-/// Backward Ray Tracing; Dutré, Lafortune, Willems 1993, Monte Carlo Light Tracing.
+/// before the pinhole has to be a non-specular one; lights seen that way among it. That light is missing. Source: Arvo
+/// 1986, Backward Ray Tracing; Dutré, Lafortune, Willems 1993, Monte Carlo Light Tracing.
 class LightTracer final : public Integrator {
 public:
     /// @throws InputError when a limit is out of its range

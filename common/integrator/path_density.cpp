@@ -10,22 +10,25 @@ Real squared(Real x) { return x * x; }
 
 }  // namespace
 
-PathDensity PathDensity::next(const ScatteringPdf& pdf, const Segment& segment) const {
+PathDensity PathDensity::next(const VertexPdf& left, const Segment& segment) const {
     //! [ex-07.7]
+    // Veach 1997, eq. 8.2: dω/dA turns densities over solid angle into densities over area, there and back.
+    const Real pdfA = left.forward * segment.cosTo / segment.squaredDistance;
+    const Real backToArea = segment.cosFrom / segment.squaredDistance;
     PathDensity there;
-    there.forward = pdf.onwards * segment.cosTo / segment.squaredDistance;
-    there.toArea = segment.cosFrom / segment.squaredDistance;
-    // No walk ends at a vertex that scatters into one direction only: neither this one here, nor the other one there.
-    there.open = pdf.delta ? 0 : 1;
-    const Real openHere = pdf.delta ? 0 : open;
-    there.tail = (openHere + squared(pdf.back * toArea) * tail) / squared(forward);
+    // Georgiev 2012, eq. 34.
+    there.dVCM = left.connectible ? 1 / squared(pdfA) : 0;
+    // Georgiev 2012, eq. 35, and eq. 53 f. for a vertex that cannot be connected: no walk ends there.
+    const Real here = left.connectible ? dVCM : 0;
+    there.dVC = squared(backToArea / pdfA) * (here + squared(left.reverse) * dVC);
     return there;
     //! [ex-07.7]
 }
 
-Real PathDensity::others(Real reverse, Real back) const {
+Real PathDensity::others(Real reverse, Real reversePdfW) const {
     //! [ex-07.8]
-    return squared(reverse / forward) * (open + squared(back * toArea) * tail);
+    // Georgiev 2012, eq. 40.
+    return squared(reverse) * (dVCM + squared(reversePdfW) * dVC);
     //! [ex-07.8]
 }
 

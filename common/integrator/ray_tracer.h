@@ -12,7 +12,7 @@ struct RayTracerSettings {
     /// A ray that counts less than this isn't followed; in [0, 1). Each boundary then loses less than its share of it.
     Real leastWeight = 0;
 
-    /// Points of each light with an extent that are asked for at each diffuse surface, at least 1.
+    /// Points sampled of each light with an extent at each non-specular surface, at least 1.
     int shadowSamples = 1;
 };
 

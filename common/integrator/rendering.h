@@ -10,7 +10,7 @@ namespace caustic {
 /// A picture on its way, and what it has cost so far.
 struct Rendering {
     Film film;                ///< what the passes have gathered
-    RayCounts counts;         ///< what was asked of the scene
+    RayCounts counts;         ///< what was done in the scene
     std::int64_t passes = 0;  ///< that it is made of
     double seconds = 0;       ///< of computing time that they took, as render() measures it
 

@@ -21,7 +21,7 @@ struct VertexConnection {
 
 /// Connects the end of a walk from the eye to the end of one from a light: both scatter towards each other, and what
 /// passes between them falls with the square of the distance.
-/// @param counts  what was asked of the scene is added
+/// @param counts  what is done in the scene is added
 /// @return nothing when something is in the way, or no light goes there
 std::optional<VertexConnection> connectVertices(const Scene& scene, const WalkEnd& eye, const WalkEnd& light,
                                                 RayCounts& counts);

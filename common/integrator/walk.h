@@ -17,6 +17,17 @@ struct WalkState {
     WalkState(const Ray& first, const MediumStack& in, const Color& carried)
         : ray(first), media(in), beta(carried), start(carried.maxCoeff()) {}
 
+    /// Goes on from the vertex at which the path is, behind it afterwards.
+    /// @param sample  how it is scattered there
+    /// @param weight  what that multiplies the throughput by: f |cos| / p, or f of a delta lobe that is followed for
+    /// sure
+    void leave(const Interaction& at, const BsdfSample& sample, const Color& weight, TransportMode mode) {
+        beta *= weight;
+        if (mode == TransportMode::Radiance) etaScale *= sample.eta * sample.eta;
+        ray = at.spawn(sample.wi);
+        media = at.media(sample.wi);
+    }
+
     Ray ray;            ///< of the next segment, unit direction
     MediumStack media;  ///< what it starts in
     Color beta;         ///< throughput; at a vertex, with the weights of all media on the way to it
@@ -39,17 +50,14 @@ inline std::optional<BsdfSample> leaveVertex(WalkState& path, const Interaction&
     const int vertex = path.length - 1;
     const auto next = scatter(at, mode, numbers, vertex);
     if (!next) return std::nullopt;
-    path.beta *= next->weight;
+    path.leave(at, next->sample, next->weight, mode);
     if ((path.beta == 0).all()) return std::nullopt;
-    if (mode == TransportMode::Radiance) path.etaScale *= next->sample.eta * next->sample.eta;
     if (vertex >= limits.rouletteStart) {
         const Real u = numbers.number(Dimension::vertex(vertex, VertexUse::Roulette));
         const auto survivor = roulette(path.beta * (path.etaScale / path.start), u);
         if (!survivor) return std::nullopt;
         path.beta *= *survivor;
     }
-    path.ray = at.spawn(next->sample.wi);
-    path.media = at.media(next->sample.wi);
     return next->sample;
     //! [leave-vertex]
 }
@@ -63,14 +71,15 @@ inline std::optional<BsdfSample> leaveVertex(WalkState& path, const Interaction&
 ///     void scattered(const Interaction& at, const BsdfSample& sample);   // and goes on from it
 ///     void escaped(const WalkState& path);                               // it left the scene along path.ray
 ///
-/// To split a path, `reached` copies its state, scales each part's throughput, gives each part numbers of its own
-/// (PathNumbers::part), sends it on with leaveVertex and walk, and returns false.
+/// To split a path, `reached` copies its state for each part, sends the part on with WalkState::leave, or with
+/// leaveVertex and a share of the throughput, then with walk and numbers of its own (PathNumbers::part, branch), and
+/// returns false.
 ///
 /// Source: Veach 10.
 /// @param path     one that sets out, or goes on
 /// @param mode     Radiance for paths from the eye, Importance for those from lights
 /// @param numbers  the path's; vertex 0 is the first behind the start
-/// @param counts   what was asked of the scene is added
+/// @param counts   what is done in the scene is added
 template <typename Visitor>
 void walk(const Scene& scene, WalkState path, TransportMode mode, const PathLimits& limits, const PathNumbers& numbers,
           RayCounts& counts, Visitor& visitor) {

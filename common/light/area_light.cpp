@@ -54,6 +54,7 @@ Real AreaLight::pdfW(const Vec3& from, const SurfacePoint& on) const {
     const Vec3 way = on.point - from;
     const Real squared = way.squaredNorm();
     const Real cosine = -way.dot(on.ng) / std::sqrt(squared);
+    // Veach 1997, eq. 8.2: from area to solid angle.
     return cosine > 0 ? shape_->pdfA(on) * squared / cosine : 0;
 }
 

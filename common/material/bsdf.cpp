@@ -5,7 +5,7 @@
 namespace caustic {
 
 Color Bsdf::f(const Vec3& wo, const Vec3& wi, TransportMode mode) const {
-    // What a path from a light carries is what one from the eye asks for, the other way round.
+    // Importance is scattered as radiance is, with the two directions swapped.
     if (mode == TransportMode::Importance) return f(wi, wo, TransportMode::Radiance) * normalsFactor(wo, wi);
     const Real side = shading_.side(wo);
     const Vec3 in = shading_.toLocal(wi, side);
@@ -20,7 +20,7 @@ std::optional<BsdfSample> Bsdf::sample(const Vec3& wo, const Vec2& u, Real uLobe
     const Real side = shading_.side(wo);
     const auto local = localSample(shading_.toLocal(wo, side), u, uLobe, shading_.eta(side));
     if (!local || !(local->pdfW > 0)) return std::nullopt;
-    return local->delta() ? deltaToWorld(*local, wo, mode) : spreadToWorld(*local, wo, mode);
+    return local->delta() ? deltaToWorld(*local, wo, mode) : nonSpecularToWorld(*local, wo, mode);
 }
 
 Real Bsdf::pdfW(const Vec3& wo, const Vec3& wi) const {
@@ -52,7 +52,7 @@ std::optional<BsdfSample> Bsdf::deltaToWorld(const BsdfSample& local, const Vec3
 
 // A direction about which the normals disagree is turned round: so each direction of the right side has a density, and
 // paths from lights reach those to which they carry light although paths from the eye bring none from there.
-std::optional<BsdfSample> Bsdf::spreadToWorld(const BsdfSample& local, const Vec3& wo, TransportMode mode) const {
+std::optional<BsdfSample> Bsdf::nonSpecularToWorld(const BsdfSample& local, const Vec3& wo, TransportMode mode) const {
     if ((local.wi.z() < 0) != local.transmits()) return std::nullopt;
     const Real side = shading_.side(wo);
     BsdfSample world = local;

@@ -13,12 +13,10 @@ namespace caustic {
 /// What a path carries, which decides how a surface changes it.
 enum class TransportMode {
     /// Radiance, on a path from the eye. What comes through a boundary from n_i to n_o is scaled by (n_o/n_i)² =
-    /// 1/eta²,
-    /// since its solid angle changes. Source: Veach 5.2.
+    /// 1/eta², since its solid angle changes. Source: Veach 5.2.
     Radiance,
     /// Importance, on a path from a light. No such scale, but the factor that makes shading normals mean the same for
-    /// both
-    /// kinds of path. Source: Veach 5.3, eq. 5.19.
+    /// both kinds of path. Source: Veach 5.3, eq. 5.19.
     Importance
 };
 
@@ -54,9 +52,9 @@ struct DeltaLobes {
 ///
 /// Reciprocal (f(wo, wi) = f(wi, wo) for reflection, modes aside) and energy conserving (∫ f |cos| dω ≤ 1 for every
 /// wo). Models live in the shading frame, seen from wo's side: a model's z axis is ns, or −ns when wo is below the
-/// surface. Which side a direction is on, ng decides. From where ng and ns disagree about it, no light is scattered; to
-/// where they do, it is, or smooth meshes would be black at their outlines.
-/// Source: Veach 1997, ch. 5. Tests: tests/05_ray_tracing/property_bsdf.cpp.
+/// surface. Which side a direction is on, ng decides. Nothing is scattered that comes from a direction about whose
+/// side ng and ns disagree; into such a direction light is scattered, or smooth meshes would be black at their
+/// outlines. Source: Veach 1997, ch. 5. Tests: tests/05_ray_tracing/property_bsdf.cpp.
 class Bsdf {
 public:
     virtual ~Bsdf() = default;
@@ -76,7 +74,7 @@ public:
     /// reverse.
     Real pdfW(const Vec3& wo, const Vec3& wi) const;
 
-    /// All delta lobes, for who follows each of them instead of choosing one.
+    /// All delta lobes, for an integrator that follows each of them instead of sampling one.
     DeltaLobes deltaLobes(const Vec3& wo, TransportMode mode) const;
 
     /// What its lobes do.
@@ -104,7 +102,7 @@ private:
     virtual DeltaLobes localDeltaLobes(const Vec3& /*wo*/, Real /*eta*/) const { return {}; }
 
     std::optional<BsdfSample> deltaToWorld(const BsdfSample& local, const Vec3& wo, TransportMode mode) const;
-    std::optional<BsdfSample> spreadToWorld(const BsdfSample& local, const Vec3& wo, TransportMode mode) const;
+    std::optional<BsdfSample> nonSpecularToWorld(const BsdfSample& local, const Vec3& wo, TransportMode mode) const;
     Real normalsFactor(const Vec3& wo, const Vec3& wi) const;
 
     ShadingFrame shading_;

@@ -5,7 +5,7 @@
 
 namespace caustic {
 
-/// A polished metal: reflects what Fresnel's equations for conductors say into the mirror direction, swallows the rest.
+/// A polished metal: reflects what Fresnel's equations for conductors say into the mirror direction, absorbs the rest.
 class ConductorBsdf final : public DeltaBsdf {
 public:
     /// @param metal  its index over that of what lies above it

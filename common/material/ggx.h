@@ -31,14 +31,14 @@ public:
     /// Share of the facets facing w that w sees, in [0, 1].
     Real G1(const Vec3& w) const { return 1 / (1 + lambda(w)); }
 
-    /// Share of the facets that both see, wo and wi on the same side, in [0, 1]: who is high up is seen from both.
+    /// Share of the facets that both see, wo and wi on the same side, in [0, 1]: a facet high up is seen from both.
     /// Source: Heitz 2014, eq. 99.
     Real reflectionG(const Vec3& wo, const Vec3& wi) const { return 1 / (1 + lambda(wo) + lambda(wi)); }
 
-    /// The same with wi on the other side: who is high up is deep down for the other. At a height that the share h of
-    /// all facets lie below, h^Λ(wo) is seen from above and (1 − h)^Λ(wi) from below; the mean over all heights is
-    /// Euler's B(1 + Λ(wo), 1 + Λ(wi)). Source: Heitz et al. 2016, Multiple-Scattering Microfacet BSDFs with the Smith
-    /// Model, ACM Transactions on Graphics 35(4).
+    /// The same with wi on the other side: what is high up for one is deep down for the other. At a height that the
+    /// share h of all facets lie below, h^Λ(wo) is seen from above and (1 − h)^Λ(wi) from below; the mean over all
+    /// heights is Euler's B(1 + Λ(wo), 1 + Λ(wi)). Source: Heitz et al. 2016, Multiple-Scattering Microfacet BSDFs with
+    /// the Smith Model, ACM Transactions on Graphics 35(4).
     Real transmissionG(const Vec3& wo, const Vec3& wi) const;
 
     /// Samples a normal among those that wo sees, with the density of pdfVisible.

@@ -4,7 +4,7 @@
 
 namespace caustic {
 
-/// Clear glass or water in the report's way: RefractionBsdf. How strongly it refracts says the Interior of its object.
+/// Clear glass or water in the report's way: RefractionBsdf. Its index of refraction is that of its object's Interior.
 class RefractionMaterial final : public Material {
 public:
     /// @param reflectance    share that is reflected at every angle

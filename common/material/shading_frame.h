@@ -12,7 +12,7 @@ struct ShadingFrame {
     Real iorAbove = 1;        ///< index of refraction on the side that ng points to
     Real iorBelow = 1;        ///< index of refraction on the other side
 
-    /// The frame at a hit: tangents along dpdu where that says anything.
+    /// The frame at a hit: tangents along dpdu, unless that vanishes.
     static ShadingFrame at(const Hit& hit, Real iorAbove, Real iorBelow);
 
     /// 1 when the direction is on ng's side or along the surface, −1 otherwise.

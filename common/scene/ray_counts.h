@@ -4,7 +4,9 @@
 
 namespace caustic {
 
-/// What was asked of a scene, to see that nothing is done that a scene doesn't need.
+/// How much work was done in a scene, to see that nothing is done that it doesn't need. It is handed from function to
+/// function rather than kept by the scene, which all threads share: so the sums are the same for any number of threads,
+/// and they need no lock.
 struct RayCounts {
     std::int64_t rays = 0;             ///< searches for the nearest hit
     std::int64_t shadowRays = 0;       ///< tests whether anything is in the way

@@ -24,26 +24,18 @@ bool indexMatched(const SceneObject& one) { return !one.material && !one.emissio
 const Bounds3 everywhere(Vec3::Constant(-std::numeric_limits<Real>::infinity()),
                          Vec3::Constant(std::numeric_limits<Real>::infinity()));
 
+// Where a path is scattered in a medium on its way to a vertex, or that it passes.
+// @param behind  media that it has passed on that way
+DistanceSample sampleDistance(const Medium& medium, const Ray& ray, Real tEnd, const PathNumbers& numbers, int vertex,
+                              std::uint64_t behind) {
+    // The first medium takes the vertex's numbers. Those behind it need others: that light has passed the first one
+    // says that its number was large.
+    const PathNumbers own = behind == 0 ? numbers : numbers.branch(~behind);
+    return medium.sampleDistance(ray, tEnd, own.number(Dimension::vertex(vertex, VertexUse::Distance)),
+                                 own.number(Dimension::vertex(vertex, VertexUse::Channel)));
+}
+
 }  // namespace
-
-class Scene::MediumNumbers {
-public:
-    MediumNumbers(const PathNumbers& numbers, int vertex) : numbers_(&numbers), vertex_(vertex) {}
-
-    DistanceSample sample(const Medium& medium, const Ray& ray, Real tEnd) {
-        // The first medium takes the vertex's numbers. Those behind it need others: that light has passed the first one
-        // says that its number was large.
-        const std::uint64_t behind = media_++;
-        const PathNumbers own = behind == 0 ? *numbers_ : numbers_->branch(~behind);
-        return medium.sampleDistance(ray, tEnd, own.number(Dimension::vertex(vertex_, VertexUse::Distance)),
-                                     own.number(Dimension::vertex(vertex_, VertexUse::Channel)));
-    }
-
-private:
-    const PathNumbers* numbers_;
-    int vertex_;
-    std::uint64_t media_ = 0;  // so far
-};
 
 Scene::Scene(SceneDescription description) : description_(std::move(description)) {
     checkNotNegative(description_.ambient, "ambient light");
@@ -77,22 +69,11 @@ std::optional<Hit> Scene::intersect(const Ray& ray) const {
     return world_->intersect(ray);
 }
 
-std::optional<Interaction> Scene::follow(const Ray& ray, MediumStack& media, Color& transmittance,
-                                         RayCounts& counts) const {
-    return follow(ray, media, transmittance, nullptr, counts);
-}
-
-std::optional<Interaction> Scene::follow(const Ray& ray, MediumStack& media, Color& weight, const PathNumbers& numbers,
+std::optional<Interaction> Scene::follow(const Ray& ray, MediumStack& media, Color& weight, const PathNumbers* numbers,
                                          int vertex, RayCounts& counts) const {
-    if (!needs_.scattering) return follow(ray, media, weight, nullptr, counts);
-    MediumNumbers ofMedia(numbers, vertex);
-    return follow(ray, media, weight, &ofMedia, counts);
-}
-
-std::optional<Interaction> Scene::follow(const Ray& ray, MediumStack& media, Color& weight, MediumNumbers* numbers,
-                                         RayCounts& counts) const {
     weight = Color::Ones();
     Ray rest = ray;
+    std::uint64_t passed = 0;  // media that scatter
     for (;;) {
         ++counts.rays;
         const std::optional<Hit> hit = intersect(rest);
@@ -100,7 +81,7 @@ std::optional<Interaction> Scene::follow(const Ray& ray, MediumStack& media, Col
             const Real tEnd = hit ? hit->t : rest.tMax;
             if (numbers != nullptr && medium->phase() != nullptr) {
                 ++counts.distanceSamples;
-                const DistanceSample sample = numbers->sample(*medium, rest, tEnd);
+                const DistanceSample sample = sampleDistance(*medium, rest, tEnd, *numbers, vertex, passed++);
                 weight *= sample.weight;
                 if (sample.scattered)
                     return std::optional<Interaction>(std::in_place, rest.at(sample.t), -ray.direction,

@@ -23,7 +23,7 @@ public:
     ///         light is negative
     explicit Scene(SceneDescription description);
 
-    /// What it asks for.
+    /// What it needs of a renderer.
     const SceneNeeds& needs() const { return needs_; }
 
     /// All lights, those of shining objects included.
@@ -48,10 +48,12 @@ public:
     /// @param ray            unit direction
     /// @param media          what it starts in; afterwards what the surface is reached in
     /// @param transmittance  set to the share of light that passes the way
-    /// @param counts         what was asked is added
+    /// @param counts         what is done is added
     /// @return nothing when it leaves the scene
     std::optional<Interaction> follow(const Ray& ray, MediumStack& media, Color& transmittance,
-                                      RayCounts& counts) const;
+                                      RayCounts& counts) const {
+        return follow(ray, media, transmittance, nullptr, 0, counts);
+    }
 
     /// Follows a ray to a path's next vertex: a surface as above, or before that a point at which a medium scatters
     /// light. Where nothing scatters it is the same, and takes no numbers.
@@ -61,7 +63,9 @@ public:
     /// @param numbers  the path's
     /// @param vertex   which vertex of the path is looked for, from 0
     std::optional<Interaction> follow(const Ray& ray, MediumStack& media, Color& weight, const PathNumbers& numbers,
-                                      int vertex, RayCounts& counts) const;
+                                      int vertex, RayCounts& counts) const {
+        return follow(ray, media, weight, &numbers, vertex, counts);
+    }
 
     /// The share of light that passes a shadow ray. Surfaces that refract stop it: what comes through them straight on
     /// is not what would come.
@@ -75,11 +79,9 @@ public:
     MediumStack mediaAt(const Vec3& point) const;
 
 private:
-    // Gives the numbers of one medium after the other, on the way to one vertex of a path.
-    class MediumNumbers;
-    std::optional<Interaction> follow(const Ray& ray, MediumStack& media, Color& weight, MediumNumbers* numbers,
-                                      RayCounts& counts) const;
-
+    // Without numbers it stops at no point of a medium.
+    std::optional<Interaction> follow(const Ray& ray, MediumStack& media, Color& weight, const PathNumbers* numbers,
+                                      int vertex, RayCounts& counts) const;
     const SceneObject& object(ObjectId id) const;
     bool passesStraight(const SceneObject& one, const Crossing& crossing) const;
     std::optional<Interaction> interaction(const Hit& hit, const Vec3& wo, const Crossing& crossing,

@@ -37,7 +37,7 @@ struct SceneDescription {
     /// all the light that comes over other surfaces. Methods that compute that light leave it out.
     Color ambient = Color::Zero();
 
-    std::shared_ptr<const Camera> camera = nullptr;  ///< may be missing when nobody asks for a picture
+    std::shared_ptr<const Camera> camera = nullptr;  ///< may be missing when no picture is taken
 };
 
 }  // namespace caustic

@@ -2,7 +2,7 @@
 
 namespace caustic {
 
-/// What a scene asks for. Whatever it doesn't, integrators skip.
+/// What a scene needs of an integrator; the rest is skipped.
 struct SceneNeeds {
     bool specular = false;     ///< mirrors or smooth boundaries: delta lobes to follow
     bool diffuse = false;      ///< diffuse surfaces: receivers of photons

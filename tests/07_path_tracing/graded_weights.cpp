@@ -9,56 +9,60 @@
 namespace caustic {
 namespace {
 
-// A density over solid angle times |cosine| / d² at the far end is one over area: there for the way onwards, here for
-// the way back.
+// Densities over solid angle times |cosine| / d² at the vertex that they reach are over area: p→ takes the cosine at
+// x_1, p← of x_0 that at x_0. A walk that ends one vertex earlier lacks p→ of x_1; one vertex earlier still, it lacks
+// p→ of x_0 too, and the other walk adds p← of x_0. Everything is squared.
 TEST(PathDensity, IsOverAreaAtTheNextVertex) {
     for (std::uint64_t i = 0; i < 100; ++i) {
         Random random(1, {i});
         const Segment way = {random.uniform(0.1, 1), random.uniform(0.1, 1), random.uniform(0.1, 9)};
-        const ScatteringPdf pdf = {random.uniform(0.1, 3), random.uniform(0.1, 3), false};
-        const PathDensity there = PathDensity{}.next(pdf, way);
-        EXPECT_NEAR(there.forward, pdf.onwards * way.cosTo / way.squaredDistance, 1e-12)
-            << "Which cosine, and which d?";
-        EXPECT_NEAR(there.toArea, way.cosFrom / way.squaredDistance, 1e-12)
-            << "The way back ends where this one began.";
-        EXPECT_EQ(there.open, 1);
+        const VertexPdf left = {random.uniform(0.1, 3), random.uniform(0.1, 3), true};
+        const Real p0 = random.uniform(0.1, 3);
+        const PathDensity there = PathDensity::start(p0, true).next(left, way);
+        const Real p1 = left.forward * way.cosTo / way.squaredDistance;
+        const Real back0 = way.cosFrom / way.squaredDistance;
+        EXPECT_NEAR(there.dVCM * std::pow(p1, 2), 1, 1e-12) << "Which cosine, and which d? Is it squared?";
+        EXPECT_NEAR(there.dVC * std::pow(p0 * p1 / back0, 2), 1, 1e-12) << "The way back ends where this one began.";
     }
 }
 
-// x_0 … x_3: after the second step the tail is, up to what the next vertices decide, 1/p(x_1)² · (o_1 +
-// (p'(x_0)/p(x_0))² o_0): o_1 and o_0 say whether a walk from the other end may have ended there.
+// x_0 … x_2. At x_1 there is the strategy that ends before x_0, if a walk hits x_0 by chance. At x_2 there are that
+// one, with what x_1 scatters back, and the one that ends at x_0. Equal cosines at both ends, as within a sphere.
 TEST(PathDensity, GathersEarlierStrategies) {
     for (std::uint64_t i = 0; i < 100; ++i) {
         Random random(2, {i});
-        PathDensity first;
-        first.forward = random.uniform(0.1, 3);
-        first.open = i % 2 == 0 ? 0 : 1;  // a pinhole, a light at a point: nobody hits it by chance
-        const Segment way = {random.uniform(0.1, 1), random.uniform(0.1, 1), random.uniform(0.5, 9)};
-        const PathDensity second = first.next({random.uniform(0.1, 3), 1, false}, way);
-        EXPECT_NEAR(second.tail, first.open / (first.forward * first.forward), 1e-9 * (1 + second.tail))
-            << "Who can hit the first vertex by chance?";
-        const ScatteringPdf pdf = {random.uniform(0.1, 3), random.uniform(0.1, 3), false};
-        const PathDensity third = second.next(pdf, {0.4, 0.6, 2});
-        const Real ratio = pdf.back * second.toArea / first.forward;
-        const Real expected = (1 + ratio * ratio * first.open) / (second.forward * second.forward);
-        EXPECT_NEAR(third.tail / expected, 1, 1e-9) << "Squared? And divided by this vertex's own density?";
+        const Real p0 = random.uniform(0.1, 3);
+        const bool canBeHit = i % 2 == 1;  // not a pinhole, not a light at a point
+        const Real cosines[2] = {random.uniform(0.1, 1), random.uniform(0.1, 1)};
+        const Segment ways[2] = {{cosines[0], cosines[0], random.uniform(0.5, 9)},
+                                 {cosines[1], cosines[1], random.uniform(0.5, 9)}};
+        const Real out = random.uniform(0.1, 3);
+        const PathDensity first = PathDensity::start(p0, canBeHit).next({out, 1, true}, ways[0]);
+        const Real p1 = out * ways[0].cosTo / ways[0].squaredDistance;
+        const Real back0 = ways[0].cosFrom / ways[0].squaredDistance;
+        const Real toFirst = canBeHit ? std::pow(back0 / (p0 * p1), 2) : 0;
+        EXPECT_NEAR(first.dVC, toFirst, 1e-9 * (1 + toFirst)) << "Who can hit the first vertex by chance?";
+
+        const VertexPdf left = {random.uniform(0.1, 3), random.uniform(0.1, 3), true};
+        const PathDensity second = first.next(left, ways[1]);
+        const Real p2 = left.forward * ways[1].cosTo / ways[1].squaredDistance;
+        const Real back1 = ways[1].cosFrom / ways[1].squaredDistance;
+        const Real expected = std::pow(back1 / p2, 2) * (1 / (p1 * p1) + left.reverse * left.reverse * toFirst);
+        EXPECT_NEAR(second.dVC / expected, 1, 1e-9) << "What does x_1 scatter back, and is it squared?";
     }
 }
 
 // No walk ends at a vertex that scatters into one direction only, neither this one nor the other: two strategies less.
 // Earlier ones stay, and go through it with a density of 1.
 TEST(PathDensity, CutsNothingAtDeltaLobes) {
-    PathDensity first;
-    first.forward = 2;
-    const PathDensity second = first.next({0.5, 1, false}, {0.7, 0.9, 2});
-    const PathDensity third = second.next({1, 1, true}, {0.8, 0.6, 3});
-    EXPECT_EQ(third.open, 0)
+    const Segment ways[3] = {{0.7, 0.7, 2}, {0.8, 0.8, 3}, {1, 1, 1}};
+    const PathDensity first = PathDensity::start(2, true).next({0.5, 1, true}, ways[0]);
+    const PathDensity mirrored = first.next({1, 1, false}, ways[1]);
+    EXPECT_EQ(mirrored.dVCM, 0)
         << "The other walk would have to end at the mirror's next vertex, and this one at the mirror.";
-    const Real ratio = second.toArea / first.forward;
-    EXPECT_NEAR(third.tail, ratio * ratio / (second.forward * second.forward), 1e-12)
-        << "The other walk would have to end at the mirror.";
-    const PathDensity fourth = third.next({0.5, 0.25, false}, {1, 1, 1});
-    EXPECT_EQ(fourth.open, 1) << "Behind the mirror's next vertex everything is as ever.";
+    EXPECT_NEAR(mirrored.dVC, first.dVC, 1e-12) << "The other walk would have to end at the mirror.";
+    const PathDensity behind = mirrored.next({0.5, 0.25, true}, ways[2]);
+    EXPECT_NEAR(behind.dVCM, 1 / (0.5 * 0.5), 1e-12) << "Behind the mirror's next vertex everything is as ever.";
 }
 
 // Paths of n vertices of which both ends can be hit by chance; segments as within a sphere, equal cosines at both ends.
@@ -84,12 +88,12 @@ TEST(StrategyWeights, AreTheSquaredDensitiesShareOfAll) {
 
         std::vector<PathDensity> leftWalk(n);
         std::vector<PathDensity> rightWalk(n);
-        leftWalk[0].forward = ends[0];
-        rightWalk[n - 1].forward = ends[1];
+        leftWalk[0] = PathDensity::start(ends[0], true);
+        rightWalk[n - 1] = PathDensity::start(ends[1], true);
         for (std::size_t i = 0; i + 1 < n; ++i) {
-            leftWalk[i + 1] = leftWalk[i].next({right[i], left[i], false}, ways[i]);
+            leftWalk[i + 1] = leftWalk[i].next({right[i], left[i], true}, ways[i]);
             const std::size_t j = n - 1 - i;
-            rightWalk[j - 1] = rightWalk[j].next({left[j], right[j], false}, ways[j - 1]);
+            rightWalk[j - 1] = rightWalk[j].next({left[j], right[j], true}, ways[j - 1]);
         }
         std::vector<Real> squares;
         Real all = 0;

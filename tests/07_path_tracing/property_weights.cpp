@@ -48,8 +48,8 @@ struct WholePath {
 
 Segment turned(const Segment& segment) { return {segment.cosTo, segment.cosFrom, segment.squaredDistance}; }
 
-ScatteringPdf towardsEye(const Vertex& v) { return {v.toEye, v.toLight, v.delta}; }
-ScatteringPdf towardsLight(const Vertex& v) { return {v.toLight, v.toEye, v.delta}; }
+VertexPdf towardsEye(const Vertex& v) { return {v.toEye, v.toLight, !v.delta}; }
+VertexPdf towardsLight(const Vertex& v) { return {v.toLight, v.toEye, !v.delta}; }
 
 // Density over area with which a walk from the eye picks vertex i, and one from the light.
 Real byEye(const WholePath& path, std::size_t i) {
@@ -74,16 +74,15 @@ bool possible(const WholePath& path, std::size_t s) {
 std::vector<Real> weightsAlongWalks(const WholePath& path) {
     const std::size_t last = path.vertices.size() - 1;
     std::vector<PathDensity> fromLight(last + 1);
-    fromLight[0].forward = path.light;
-    fromLight[0].open = path.canBeHit ? 1 : 0;
+    fromLight[0] = PathDensity::start(path.light, path.canBeHit);
     for (std::size_t i = 0; i < last; ++i)
         fromLight[i + 1] = fromLight[i].next(towardsEye(path.vertices[i]), path.vertices[i].segment);
     std::vector<PathDensity> fromEye(last + 1);
-    fromEye[last].open = 0;
+    fromEye[last] = PathDensity::start(1, false);
     for (std::size_t i = last; i > 0; --i) {
-        ScatteringPdf pdf = towardsLight(path.vertices[i]);
-        if (i == last && !path.onFilm) pdf.delta = true;
-        fromEye[i - 1] = fromEye[i].next(pdf, turned(path.vertices[i - 1].segment));
+        VertexPdf left = towardsLight(path.vertices[i]);
+        if (i == last && !path.onFilm) left.connectible = false;
+        fromEye[i - 1] = fromEye[i].next(left, turned(path.vertices[i - 1].segment));
     }
     std::vector<Real> weights;
     for (std::size_t s = 0; s <= last; ++s) {

@@ -7,6 +7,9 @@ from course_lib.chapters import all_chapters
 from course_lib.paths import ROOT
 
 HEAD = "| symbol | in code | meaning | unit, domain | ch. | source |"
+# Topics of which every public type has a row: what light, lens and paths are made of.
+COMPLETE = ("sampling", "texture", "material", "medium", "light", "camera", "scene", "integrator")
+TYPE = re.compile(r"^(?:class|struct|enum class) (\w+)\b(?!\s*;)", re.MULTILINE)
 CELLS = len(HEAD.strip("|").split("|"))
 
 
@@ -54,6 +57,17 @@ class Glossary(unittest.TestCase):
                     self.assertTrue(self.declares(name), "Is it called otherwise? Name and glossary have to agree.")
                 checked += 1
         self.assertGreater(checked, 25)
+
+    def test_every_public_type_of_light_transport_has_a_row(self):
+        named = {part for _, cells in rows() for name in re.findall(r"`([^`]+)`", cells[1]) for part in name.split("::")}
+        checked = 0
+        for topic in COMPLETE:
+            for header in sorted((ROOT / "common" / topic).glob("*.h")):
+                for name in TYPE.findall(header.read_text(encoding="utf-8")):
+                    with self.subTest(header=f"{topic}/{header.name}"):
+                        self.assertIn(name, named, "Add it to the row of what it belongs to, or a row of its own.")
+                    checked += 1
+        self.assertGreater(checked, 60)
 
     def test_sources_are_listed(self):
         text = (ROOT / "GLOSSARY.md").read_text(encoding="utf-8")
