@@ -194,7 +194,7 @@ TEST(Fog, MethodsAgree) {
         const test::PathMean both = test::meanOfRounds(BidirectionalPathTracer(scene, others, box, limits), 16, 0.006);
         const IndependentSampler more(29);
         const test::PathMean light = test::meanOfRounds(LightTracer(scene, more, box, limits), 16, 0.01);
-        EXPECT_GT(path.mean, 0.2);
+        EXPECT_GT(path.mean, 0.05);
         EXPECT_NEAR(path.mean, both.mean, 5 * std::hypot(path.standardError, both.standardError)) << first;
         EXPECT_NEAR(path.mean, light.mean, 5 * std::hypot(path.standardError, light.standardError)) << first;
     }
@@ -231,7 +231,9 @@ private:
     RayCounts counts_;
 };
 
-// Roulette from the first vertex on, glass whose radiance scale the parts carry along, a coloured fog.
+// Glass whose radiance scale the parts carry along, a coloured fog. With roulette from the first vertex on a part is
+// worth a fifth of what the path set out with, and survives accordingly; with roulette later splitting takes noise
+// away.
 TEST(Walk, SplitsWithoutBias) {
     SceneDescription description;
     description.objects = {ballOf(Vec3::Zero(), 1, fog({0.2, 0.1, 0}, {0.8, 0.4, 1})),
@@ -242,29 +244,33 @@ TEST(Walk, SplitsWithoutBias) {
     description.lights = {std::make_shared<ConstantEnvironment>(Color(1, 0.5, 2))};
     description.camera = look({1.1, -1.4, 0.8}, Vec3::Zero(), 0.5);
     const Scene scene(description);
-    const PathLimits limits = {.maxLength = 200, .rouletteStart = 0};
     constexpr int n = 40'000;
-    Color means[2];
-    Color errors[2];
-    for (int k = 0; k < 2; ++k) {
-        Color sum = Color::Zero();
-        Color squares = Color::Zero();
-        for (int i = 0; i < n; ++i) {
-            const PathNumbers numbers = sampler.start(static_cast<std::uint64_t>(k), {0, 0}, i);
-            const Vec2 film = numbers.pair(Dimension::film());
-            SplitAtFirst visitor(scene, limits, numbers, k == 0 ? 1 : 5);
-            RayCounts counts;
-            walk(scene, {scene.camera().sampleRay(film, {0.5, 0.5}), scene.cameraMedia(), Color::Ones()},
-                 TransportMode::Radiance, limits, numbers, counts, visitor);
-            sum += visitor.sum;
-            squares += visitor.sum * visitor.sum;
+    for (const int rouletteStart : {0, 20}) {
+        const PathLimits limits = {.maxLength = 200, .rouletteStart = rouletteStart};
+        Color means[2];
+        Color errors[2];
+        for (int k = 0; k < 2; ++k) {
+            Color sum = Color::Zero();
+            Color squares = Color::Zero();
+            for (int i = 0; i < n; ++i) {
+                const PathNumbers numbers = sampler.start(static_cast<std::uint64_t>(k), {0, 0}, i);
+                const Vec2 film = numbers.pair(Dimension::film());
+                SplitAtFirst visitor(scene, limits, numbers, k == 0 ? 1 : 5);
+                RayCounts counts;
+                walk(scene, {scene.camera().sampleRay(film, {0.5, 0.5}), scene.cameraMedia(), Color::Ones()},
+                     TransportMode::Radiance, limits, numbers, counts, visitor);
+                sum += visitor.sum;
+                squares += visitor.sum * visitor.sum;
+            }
+            means[k] = sum / n;
+            errors[k] = ((squares / n - means[k] * means[k]) / n).sqrt();
         }
-        means[k] = sum / n;
-        errors[k] = ((squares / n - means[k] * means[k]) / n).sqrt();
-    }
-    for (int channel = 0; channel < 3; ++channel) {
-        EXPECT_NEAR(means[0][channel], means[1][channel], 5.5 * std::hypot(errors[0][channel], errors[1][channel]));
-        EXPECT_LT(errors[1][channel], errors[0][channel]) << "does splitting do anything?";
+        for (int channel = 0; channel < 3; ++channel) {
+            EXPECT_NEAR(means[0][channel], means[1][channel], 5.5 * std::hypot(errors[0][channel], errors[1][channel]));
+            if (rouletteStart > 0) {
+                EXPECT_LT(errors[1][channel], errors[0][channel]) << "does splitting do anything?";
+            }
+        }
     }
 }
 

@@ -266,11 +266,10 @@ TEST(Weights, OfTwoStrategiesAreThePowerHeuristic) {
     for (std::uint64_t i = 0; i < 1000; ++i) {
         Random random(6, {i});
         const Real byChance = std::exp(random.uniform(-30, 30));
-        const Real asked = std::exp(random.uniform(-30, 30));
-        PathDensity light;
-        light.forward = asked;
-        EXPECT_NEAR(strategyWeight(light.others(byChance, 0), 0), powerHeuristic(asked, byChance), 1e-14);
-        EXPECT_NEAR(powerHeuristic(asked, byChance) + powerHeuristic(byChance, asked), 1, 1e-14);
+        const Real sampled = std::exp(random.uniform(-30, 30));
+        const PathDensity light = PathDensity::start(sampled, true);
+        EXPECT_NEAR(strategyWeight(light.others(byChance, 0), 0), powerHeuristic(sampled, byChance), 1e-14);
+        EXPECT_NEAR(powerHeuristic(sampled, byChance) + powerHeuristic(byChance, sampled), 1, 1e-14);
     }
     EXPECT_EQ(powerHeuristic(1, 0), 1);
     EXPECT_EQ(powerHeuristic(1e-200, 1e200), 0);
