@@ -5,6 +5,7 @@
 
 int main(int argc, char** argv) {
     using namespace caustic;
+    double seconds = 0;
     return runChapter(
         thisChapter, argc, argv,
         {
@@ -18,8 +19,9 @@ int main(int argc, char** argv) {
             {"quantity", tabulateQuantities},
         },
         {
-            {"--recalibrate", "SECONDS",
-             "Measure anew how much work each method of methods.png does so long; writes work.json",
-             [](const std::string& seconds, const ChapterOptions&) { recalibrate(seconds, thisChapter); }},
+            {.argument = {"--recalibrate", "SECONDS",
+                          "Measure anew how much work each method of methods.png does so long; writes work.json",
+                          RangedValue<double>{&seconds, 1e-3, 1e6}},
+             .run = [&](const ChapterOptions&) { recalibrate(seconds, thisChapter); }},
         });
 }

@@ -1,7 +1,6 @@
 #include "work.h"
 
 #include <algorithm>
-#include <cmath>
 #include <fstream>
 
 #include <nlohmann/json.hpp>
@@ -53,24 +52,21 @@ CausticWork causticWork(const ChapterInputs& chapter, Quality quality) {
     return work;
 }
 
-void recalibrate(const std::string& seconds, const ChapterInputs& chapter) {
-    const auto limit = parseReal(seconds);
-    checkArgument(limit && std::isfinite(*limit) && *limit > 0, "--recalibrate", seconds,
-                  "must be a number greater than 0");
+void recalibrate(double seconds, const ChapterInputs& chapter) {
     const Scene scene(causticBeforeMirror());
     const IndependentSampler sampler(1);
     const BoxFilter filter;
     const PathLimits limits = {CausticWork::segments, 1};
     nlohmann::ordered_json json;
-    json["seconds"] = *limit;
+    json["seconds"] = seconds;
     PathTracer paths(scene, sampler, filter, {limits, Direct::Mis});
-    json["path tracing"] = render(paths, {.seconds = *limit}).passes;
+    json["path tracing"] = render(paths, {.seconds = seconds}).passes;
     BidirectionalPathTracer both(scene, sampler, filter, limits);
-    json["bidirectional"] = render(both, {.seconds = *limit}).passes;
-    const auto photons = static_cast<std::int64_t>(photonsPerSecond * *limit);
+    json["bidirectional"] = render(both, {.seconds = seconds}).passes;
+    const auto photons = static_cast<std::int64_t>(photonsPerSecond * seconds);
     const double start = threadSeconds();
     PhotonMapper mapper(scene, sampler, filter, causticSettings(photons), 1);
-    json["photon mapping"] = render(mapper, {.seconds = std::max(1e-3, *limit - (threadSeconds() - start))}).passes;
+    json["photon mapping"] = render(mapper, {.seconds = std::max(1e-3, seconds - (threadSeconds() - start))}).passes;
     json["photons"] = photons;
     writeTextAtomically(chapter.sourceDir / place, json.dump(2) + "\n");
 }

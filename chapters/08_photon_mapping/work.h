@@ -34,7 +34,7 @@ PhotonMapperSettings causticSettings(std::int64_t photons);
 CausticWork causticWork(const ChapterInputs& chapter, Quality quality);
 
 /// Measures the counts anew and writes work.json: --recalibrate SECONDS.
-/// @throws InputError unless the seconds are a number greater than 0
-void recalibrate(const std::string& seconds, const ChapterInputs& chapter);
+/// @param seconds  of each method, greater than 0
+void recalibrate(double seconds, const ChapterInputs& chapter);
 
 }  // namespace caustic
