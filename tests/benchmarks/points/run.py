@@ -4,24 +4,25 @@ Photons of the peers' box, and as many points in a cube. The three take turns in
 count. Writes figures/08_photon_mapping/points.csv; fails when a k-th distance differs from nanoflann's.
 """
 
-import argparse
 import csv
 import subprocess
-import sys
 
 from course_lib import cmake
+from course_lib.benchmarks import end_with, option_parser, save_quantities
 from course_lib.errors import CourseError
 from course_lib.packages import ensure_packages
 from course_lib.paths import FIGURES, build_dir, shown
 from course_lib.terminal import say
 
 TABLE = FIGURES / "08_photon_mapping" / "points.csv"
+CASES = ("photons of the peers' box", "points in a cube")
+NEEDS = ("libnanoflann-dev",)
 
 
 def options():
-    parser = argparse.ArgumentParser(prog="course bench points", description=__doc__.partition("\n")[0])
+    parser = option_parser("points", __doc__)
     parser.add_argument("--photons", type=int, default=100_000, metavar="N",
-                        help="photons that set out; about four times as many points (100,000 by default)")
+                        help="photons that set out; about three times as many points (100,000 by default)")
     parser.add_argument("--rounds", type=int, default=15, metavar="N", help="the median of N counts (15 by default)")
     return parser.parse_args()
 
@@ -37,6 +38,9 @@ def main():
         raise CourseError("bench_points stopped; its own message stands above")
     with TABLE.open(newline="") as file:
         rows = list(csv.DictReader(file))
+    save_quantities(chosen.csv, [
+        ("photon tree", f"{row['points']}: {row['what']}", row["ratio_float"], "times as fast", "nanoflann in float")
+        for row in rows])
     queries = [float(row["ratio_float"]) for row in rows if row["what"] != "build"]
     builds = [float(row["ratio_float"]) for row in rows if row["what"] == "build"]
     different = sum(int(row["differences"]) for row in rows)
@@ -46,7 +50,4 @@ def main():
 
 
 if __name__ == "__main__":
-    try:
-        sys.exit(main())
-    except CourseError as error:
-        sys.exit(f"points: {error}")
+    end_with(main, "points")
