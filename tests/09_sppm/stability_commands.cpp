@@ -16,9 +16,10 @@
 namespace caustic {
 namespace {
 
-std::vector<std::string> render(const std::filesystem::path& out, std::vector<std::string> more) {
+std::vector<std::string> render(const std::filesystem::path& out, std::vector<std::string> more,
+                                const std::string& photons = "3000") {
     std::vector<std::string> command = {test::chapterProgram(), "--render", "thumbnail", "--threads", "1",
-                                        "--photons", "3000", "--out", out.string()};
+                                        "--photons", photons, "--out", out.string()};
     command.insert(command.end(), more.begin(), more.end());
     return command;
 }
@@ -65,7 +66,7 @@ TEST(RenderCommand, MemoryDoesNotGrow) {
     const test::TemporaryFolder folder;
     for (const char* const rule : {"pass", "point"}) {
         const auto peak = [&](const char* passes) {
-            const auto command = render(folder / "out", {"--passes", passes, "--rule", rule, "--photons", "300"});
+            const auto command = render(folder / "out", {"--passes", passes, "--rule", rule}, "300");
             const test::MeasuredRun run = test::runMeasured(command, folder.path());
             EXPECT_EQ(run.exitCode, 0) << run.errors;
             return run.peakMiB;
