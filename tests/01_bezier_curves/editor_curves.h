@@ -11,7 +11,7 @@
 namespace caustic::test {
 
 /// Two smooth segments and a corner.
-inline BezierSpline wave() {
+inline BezierSpline waveSpline() {
     return BezierSpline::fromControlPoints({{0, 0, 0},
                                             {1, 2, 0},
                                             {2, 2, 0},
@@ -24,7 +24,7 @@ inline BezierSpline wave() {
                                             {9, 0, 0}});
 }
 
-inline BezierSpline ring() {
+inline BezierSpline ringSpline() {
     return BezierSpline::fromControlPoints(
         {{1, 0, 0}, {1, 1, 0}, {-1, 1, 0}, {-1, 0, 0}, {-1, -1, 0}, {1, -1, 0}, {1, 0, 0}}, true);
 }
@@ -46,7 +46,9 @@ inline std::filesystem::path saved(const test::TemporaryFolder& folder, const Be
     return folder / "wave.txt";
 }
 
-inline Vec2 pixelOf(const Editor& editor, const PointId& id) { return editor.view().toPixel(editor.model().position(id)); }
+inline Vec2 pixelOf(const Editor& editor, const PointId& id) {
+    return editor.view().toPixel(editor.model().position(id));
+}
 
 inline void click(Editor& editor, const Vec2& pixel) {
     editor.mouse(MouseAction::LeftDown, pixel, false);

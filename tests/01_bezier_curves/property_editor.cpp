@@ -18,7 +18,7 @@ using namespace test;
 
 TEST(Editor, DragsThePointUnderTheMouse) {
     const test::TemporaryFolder folder;
-    Editor editor(saved(folder, wave()).string());
+    Editor editor(saved(folder, waveSpline()).string());
     const PointId id{1, PointKind::Anchor};
     const Vec2 from = pixelOf(editor, id);
     drag(editor, from + Vec2(2, -1), from + Vec2(42, -31));
@@ -37,11 +37,11 @@ TEST(Editor, AnAnchorGoesBeforeTheHandleThatLiesOnIt) {
 
 TEST(Editor, ADoubleClickSplitsTheCurveOrGoesOn) {
     const test::TemporaryFolder folder;
-    Editor editor(saved(folder, wave()).string());
+    Editor editor(saved(folder, waveSpline()).string());
     const Vec2 onCurve = editor.view().toPixel(editor.model().spline()->position(0.4).head<2>());
     editor.mouse(MouseAction::LeftDouble, onCurve + Vec2(1, 2), false);
     EXPECT_EQ(editor.model().segmentCount(), 4U);
-    EXPECT_LT(distance(wave(), editor.model()), 1e-8) << "Does the curve keep its shape?";
+    EXPECT_LT(distance(waveSpline(), editor.model()), 1e-8) << "Does the curve keep its shape?";
     editor.mouse(MouseAction::LeftDouble, {860, 100}, false);
     EXPECT_EQ(editor.model().segmentCount(), 5U);
     EXPECT_LT((pixelOf(editor, *editor.selected()) - Vec2(860, 100)).norm(), 1e-9);
@@ -71,7 +71,7 @@ TEST(Editor, TheAddKeyWaitsForOneClick) {
 
 TEST(Editor, DeletesWhatIsSelected) {
     const test::TemporaryFolder folder;
-    Editor editor(saved(folder, wave()).string());
+    Editor editor(saved(folder, waveSpline()).string());
     for (const int key : {int('d'), editor_key::backspace, editor_key::remove}) {
         click(editor, pixelOf(editor, {1, PointKind::Anchor}));
         editor.key(key);
@@ -88,7 +88,7 @@ TEST(Editor, DeletesWhatIsSelected) {
 
 TEST(Editor, TheSliderAndKeysChooseT) {
     const test::TemporaryFolder folder;
-    Editor editor(saved(folder, wave()).string());
+    Editor editor(saved(folder, waveSpline()).string());
     click(editor, editor_layout::sliderStart());
     EXPECT_EQ(editor.u(), 0);
     drag(editor, editor_layout::sliderStart(), editor_layout::sliderEnd());
@@ -112,7 +112,7 @@ TEST(Editor, TheSliderAndKeysChooseT) {
 
 TEST(Editor, AClickOnTheCurveChoosesT) {
     const test::TemporaryFolder folder;
-    Editor editor(saved(folder, wave()).string());
+    Editor editor(saved(folder, waveSpline()).string());
     click(editor, editor.view().toPixel(editor.model().spline()->position(2.3).head<2>()));
     EXPECT_NEAR(editor.u(), 2.3, 1e-6);
     click(editor, {20, 20});
@@ -121,7 +121,7 @@ TEST(Editor, AClickOnTheCurveChoosesT) {
 
 TEST(Editor, ZoomKeepsThePixelAndPanMovesIt) {
     const test::TemporaryFolder folder;
-    Editor editor(saved(folder, wave()).string());
+    Editor editor(saved(folder, waveSpline()).string());
     const Vec2 pixel(300, 200);
     const Vec2 world = editor.view().toWorld(pixel);
     editor.zoom(3, pixel);
@@ -145,7 +145,7 @@ TEST(Editor, SurvivesAnyEvents) {
     const std::string keys = "adgzyzy,.[]bcmf+-l";
     Random random(65, {0});
     for (int trial = 0; trial < 20; ++trial) {
-        Editor editor(trial % 2 == 0 ? "" : saved(folder, wave()).string());
+        Editor editor(trial % 2 == 0 ? "" : saved(folder, waveSpline()).string());
         EditorPainter painter;
         for (int i = 0; i < 300; ++i) {
             const Vec2 pixel(random.uniform(-50, 1300), random.uniform(-50, 800));

@@ -18,7 +18,7 @@ using namespace test;
 
 TEST(Editor, SavesWhatItShows) {
     const test::TemporaryFolder folder;
-    Editor editor(saved(folder, wave()).string());
+    Editor editor(saved(folder, waveSpline()).string());
     drag(editor, pixelOf(editor, {0, PointKind::Out}), Vec2(200, 50));
     editor.key('s');
     EXPECT_FALSE(editor.model().changed()) << editor.status();
@@ -58,7 +58,7 @@ TEST(Editor, AsksBeforeItReplacesAFileThatItDidNotOpen) {
 TEST(Editor, AsksBeforeChangesAreLost) {
     const test::TemporaryFolder folder;
     const auto changed = [&] {
-        Editor editor(saved(folder, wave()).string());
+        Editor editor(saved(folder, waveSpline()).string());
         drag(editor, pixelOf(editor, {1, PointKind::Anchor}), {300, 300});
         return editor;
     };
@@ -92,25 +92,25 @@ TEST(Editor, AsksBeforeChangesAreLost) {
     opening.key('o');
     EXPECT_FALSE(opening.choices().empty());
 
-    Editor untouched(saved(folder, wave()).string());
+    Editor untouched(saved(folder, waveSpline()).string());
     untouched.key('q');
     EXPECT_TRUE(untouched.finished());
 }
 
 TEST(Editor, OpensAnotherProfileFromTheList) {
     const test::TemporaryFolder folder;
-    saveProfileText(ring(), folder / "ring.txt");
+    saveProfileText(ringSpline(), folder / "ring.txt");
     std::ofstream(folder / "broken.txt") << "1 2 three";
     std::ofstream(folder / "other.dat") << "no profile";
-    Editor editor(saved(folder, wave()).string());
+    Editor editor(saved(folder, waveSpline()).string());
     editor.key('o');
     ASSERT_EQ(editor.choices().size(), 3U) << "broken.txt, ring.txt, wave.txt";
     editor.key('1');
     EXPECT_TRUE(editor.complaining()) << "A broken file is said, not thrown.";
-    EXPECT_EQ(profileText(*editor.model().spline()), profileText(wave())) << "And what was there stays.";
+    EXPECT_EQ(profileText(*editor.model().spline()), profileText(waveSpline())) << "And what was there stays.";
     editor.key('o');
     click(editor, editor_layout::chooserRow(1).center());
-    EXPECT_EQ(profileText(*editor.model().spline()), profileText(ring()));
+    EXPECT_EQ(profileText(*editor.model().spline()), profileText(ringSpline()));
     EXPECT_EQ(editor.file().filename(), "ring.txt");
     editor.key('o');
     editor.key(editor_key::escape);
@@ -141,7 +141,7 @@ TEST(Editor, RefusesWhatCannotBeOpened) {
 
 TEST(Editor, SaysWhatCannotBeSaved) {
     const test::TemporaryFolder folder;
-    Editor editor(saved(folder, wave()).string());
+    Editor editor(saved(folder, waveSpline()).string());
     std::filesystem::remove(folder / "wave.txt");
     std::filesystem::create_directory(folder / "wave.txt");
     drag(editor, pixelOf(editor, {1, PointKind::Anchor}), {300, 300});

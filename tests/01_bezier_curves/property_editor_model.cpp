@@ -23,27 +23,28 @@ Real bend(const EditorNode& node) {
 }
 
 TEST(EditorModel, HoldsTheSplineThatItWasGiven) {
-    for (const BezierSpline& spline : {wave(), ring()}) {
+    for (const BezierSpline& spline : {waveSpline(), ringSpline()}) {
         const EditorModel model = modelOf(spline);
         EXPECT_EQ(profileText(*model.spline()), profileText(spline)) << "Is every control point where it was?";
         EXPECT_EQ(model.segmentCount(), spline.segments().size());
         EXPECT_FALSE(model.changed());
     }
-    EXPECT_EQ(modelOf(wave()).points().size(), 10U);
-    EXPECT_EQ(modelOf(ring()).points().size(), 6U) << "A closed curve's end is its beginning: one point, not two.";
+    EXPECT_EQ(modelOf(waveSpline()).points().size(), 10U);
+    EXPECT_EQ(modelOf(ringSpline()).points().size(), 6U)
+        << "A closed curve's end is its beginning: one point, not two.";
 }
 
 TEST(EditorModel, KnowsWhichJointsAreSmooth) {
-    const auto nodes = modelOf(wave()).nodes();
+    const auto nodes = modelOf(waveSpline()).nodes();
     EXPECT_TRUE(nodes[1].smooth);
     EXPECT_FALSE(nodes[2].smooth);
-    const auto round = modelOf(ring()).nodes();
+    const auto round = modelOf(ringSpline()).nodes();
     EXPECT_TRUE(round[0].smooth) << "The joint between the end and the beginning counts, too.";
     EXPECT_TRUE(round[1].smooth);
 }
 
 TEST(EditorModel, AnAnchorTakesItsHandlesAlong) {
-    EditorModel model = modelOf(wave());
+    EditorModel model = modelOf(waveSpline());
     const EditorNode before = model.nodes()[1];
     model.beginDrag({1, PointKind::Anchor});
     model.dragTo({10, 10}, false);
@@ -56,7 +57,7 @@ TEST(EditorModel, AnAnchorTakesItsHandlesAlong) {
 }
 
 TEST(EditorModel, AHandleOfASmoothNodeTurnsItsPartner) {
-    EditorModel model = modelOf(wave());
+    EditorModel model = modelOf(waveSpline());
     const Real length = (model.nodes()[1].out - model.nodes()[1].anchor).norm();
     Random random(61, {0});
     for (int i = 0; i < 100; ++i) {
@@ -71,7 +72,7 @@ TEST(EditorModel, AHandleOfASmoothNodeTurnsItsPartner) {
 }
 
 TEST(EditorModel, AHandleOnItsOwnMakesACorner) {
-    EditorModel model = modelOf(wave());
+    EditorModel model = modelOf(waveSpline());
     const Vec2 partner = model.nodes()[1].out;
     model.beginDrag({1, PointKind::In});
     model.dragTo({0, 5}, true);
@@ -88,7 +89,7 @@ TEST(EditorModel, AHandleOnItsOwnMakesACorner) {
 // De Casteljau: both parts together are the curve.
 TEST(EditorModel, ASplitKeepsTheShape) {
     Random random(62, {0});
-    for (const BezierSpline& spline : {wave(), ring()}) {
+    for (const BezierSpline& spline : {waveSpline(), ringSpline()}) {
         for (int i = 0; i < 50; ++i) {
             EditorModel model = modelOf(spline);
             const Vec2 near(random.uniform(-2, 10), random.uniform(-3, 3));
@@ -103,8 +104,8 @@ TEST(EditorModel, ASplitKeepsTheShape) {
 }
 
 TEST(EditorModel, FindsTheNearestPlace) {
-    const EditorModel model = modelOf(wave());
-    const BezierSpline spline = wave();
+    const EditorModel model = modelOf(waveSpline());
+    const BezierSpline spline = waveSpline();
     Random random(63, {0});
     for (int i = 0; i < 200; ++i) {
         const Vec2 near(random.uniform(-2, 10), random.uniform(-3, 3));
@@ -137,17 +138,17 @@ TEST(EditorModel, AddedPointsGoOnSmoothly) {
 }
 
 TEST(EditorModel, APointAddedToAClosedCurveLiesOnIt) {
-    EditorModel model = modelOf(ring());
+    EditorModel model = modelOf(ringSpline());
     const PointId id = model.add({0, 3});
     EXPECT_EQ(model.position(id), Vec2(0, 3));
     EXPECT_EQ(model.segmentCount(), 3U);
     EXPECT_TRUE(model.closed());
     model.undo();
-    EXPECT_EQ(profileText(*model.spline()), profileText(ring())) << "Is it one step of undo?";
+    EXPECT_EQ(profileText(*model.spline()), profileText(ringSpline())) << "Is it one step of undo?";
 }
 
 TEST(EditorModel, DeletingAPointLeavesItsNeighbours) {
-    EditorModel model = modelOf(wave());
+    EditorModel model = modelOf(waveSpline());
     const auto before = model.nodes();
     model.remove({1, PointKind::Anchor});
     ASSERT_EQ(model.segmentCount(), 2U);
@@ -162,7 +163,7 @@ TEST(EditorModel, DeletingAPointLeavesItsNeighbours) {
 }
 
 TEST(EditorModel, DeletingAHandleDrawsItBack) {
-    EditorModel model = modelOf(wave());
+    EditorModel model = modelOf(waveSpline());
     model.remove({1, PointKind::Out});
     EXPECT_EQ(model.nodes()[1].out, model.nodes()[1].anchor);
     EXPECT_EQ(model.segmentCount(), 3U);
@@ -172,7 +173,7 @@ TEST(EditorModel, DeletingAHandleDrawsItBack) {
 }
 
 TEST(EditorModel, SmoothingACornerLinesItsHandlesUp) {
-    EditorModel model = modelOf(wave());
+    EditorModel model = modelOf(waveSpline());
     ASSERT_GT(std::abs(bend(model.nodes()[2])), 0.1);
     model.toggleSmooth(2);
     EXPECT_NEAR(bend(model.nodes()[2]), 0, 1e-12);
@@ -182,13 +183,13 @@ TEST(EditorModel, SmoothingACornerLinesItsHandlesUp) {
 }
 
 TEST(EditorModel, ClosesAndOpens) {
-    EditorModel model = modelOf(wave());
+    EditorModel model = modelOf(waveSpline());
     model.toggleClosed();
     EXPECT_TRUE(model.closed());
     EXPECT_EQ(model.segmentCount(), 4U);
     EXPECT_LT((model.spline()->position(4) - model.spline()->position(0)).norm(), 1e-12);
     model.toggleClosed();
-    EXPECT_EQ(profileText(*model.spline()), profileText(wave()));
+    EXPECT_EQ(profileText(*model.spline()), profileText(waveSpline()));
     EditorModel point;
     point.add({1, 1});
     point.toggleClosed();
@@ -199,7 +200,7 @@ TEST(EditorModel, ClosesAndOpens) {
 TEST(EditorModel, UndoTakesEverythingBack) {
     Random random(64, {0});
     for (int trial = 0; trial < 50; ++trial) {
-        EditorModel model = modelOf(trial % 2 == 0 ? wave() : ring());
+        EditorModel model = modelOf(trial % 2 == 0 ? waveSpline() : ringSpline());
         const std::string beginning = profileText(*model.spline());
         int steps = 0;
         for (int i = 0; i < 30; ++i) {
@@ -248,7 +249,7 @@ TEST(EditorModel, UndoTakesEverythingBack) {
 }
 
 TEST(EditorModel, AChangeEndsWhatCouldBeDoneAgain) {
-    EditorModel model = modelOf(wave());
+    EditorModel model = modelOf(waveSpline());
     model.add({20, 0});
     model.undo();
     model.add({0, 20});
@@ -256,7 +257,7 @@ TEST(EditorModel, AChangeEndsWhatCouldBeDoneAgain) {
 }
 
 TEST(EditorModel, ADragThatGoesNowhereIsNoStep) {
-    EditorModel model = modelOf(wave());
+    EditorModel model = modelOf(waveSpline());
     model.beginDrag({1, PointKind::Anchor});
     model.dragTo({3, 0}, false);
     model.endDrag();

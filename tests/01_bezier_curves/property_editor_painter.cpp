@@ -16,7 +16,7 @@ using namespace test;
 
 TEST(EditorPainter, PaintsPointsWhereTheReportSaysThatTheyAre) {
     const test::TemporaryFolder folder;
-    Editor editor(saved(folder, wave()).string());
+    Editor editor(saved(folder, waveSpline()).string());
     EditorPainter painter;
     const auto bgr = painter.paint(editor).bgr();
     const auto colour = [&](const Vec2& at) {
@@ -35,7 +35,7 @@ TEST(EditorPainter, PaintsPointsWhereTheReportSaysThatTheyAre) {
 
 TEST(EditorPainter, EveryStateCanBePainted) {
     const test::TemporaryFolder folder;
-    saveProfileText(ring(), folder / "ring.txt");
+    saveProfileText(ringSpline(), folder / "ring.txt");
     Editor editor((folder / "ring.txt").string());
     EditorPainter painter;
     std::vector<std::uint8_t> last;
