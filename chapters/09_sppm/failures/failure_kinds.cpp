@@ -156,7 +156,7 @@ Spot spotWith(Random& random, Real bias) {
     }
     one.settings.radius = low;
     one.scene.halfAngle = std::atan(1.4 * low / one.scene.apparent());
-    one.settings.photons = 200;
+    one.settings.photons = 60;
     return one;
 }
 
@@ -180,7 +180,7 @@ std::vector<bool> alphas(Random& random) {
     for (const Real alpha : {0.001, 2.0 / 3, 0.999}) {
         SppmSettings settings = spot.settings;
         settings.alpha = alpha;
-        settings.photons = 80;
+        settings.photons = 8;
         const Real truth = spot.scene.truth();
         right.push_back(within(tolerance * truth, truth, {spot.scene.found(settings, passes, seed)})[0]);
     }
