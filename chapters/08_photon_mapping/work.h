@@ -33,8 +33,7 @@ PhotonMapperSettings causticSettings(std::int64_t photons);
 /// @throws InputError when the file isn't what --recalibrate writes
 CausticWork causticWork(const ChapterInputs& chapter, Quality quality);
 
-/// Measures the counts anew and writes work.json: --recalibrate SECONDS.
-/// @param seconds  of each method, greater than 0
+/// Measures the counts anew and writes work.json: --recalibrate SECONDS, so many of each method, greater than 0.
 void recalibrate(double seconds, const ChapterInputs& chapter);
 
 }  // namespace caustic

@@ -30,7 +30,7 @@ private:
 };
 
 /// The first of those properties in a style sheet that hide or displace what is drawn: display, visibility, transform,
-/// d and the like, or an @import, which could bring any of them; empty when there is none.
+/// d and the like, or an import rule, which could bring any of them; empty when there is none.
 std::string geometryInStyleSheet(std::string_view sheet);
 
 }  // namespace caustic

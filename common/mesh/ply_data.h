@@ -16,7 +16,8 @@ public:
     PlyData(std::string_view content, const PlyHeader& header, const std::string& file);
 
     /// The values of the next property: one, or those of a list.
-    /// @param what  element and number, for errors: "vertex 3"
+    /// @param element  whose property it is, for errors
+    /// @param number   which of them, from 0
     /// @return valid until the next call
     /// @throws InputError when they are not there, or no numbers (in a text, with the line)
     const std::vector<Real>& next(const PlyProperty& property, const std::string& element, std::uint64_t number);

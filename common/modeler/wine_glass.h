@@ -12,13 +12,13 @@ namespace caustic {
 /// The wine reaches into the glass a little, and the glass has the higher priority. So light goes from glass to wine
 /// straight, over one boundary; if the two met at the same place, or left a gap, it would cross none, or air.
 struct WineGlass {
-    /// Half the outline of the glass, m: from the axis at the bottom along the outside to the rim, and inside down to the
-    /// axis again.
+    /// Half the outline of the glass, m: from the axis at the bottom along the outside to the rim, and inside down to
+    /// the axis again.
     BezierSpline outline;
 
-    Real glassIor = 1.52;
-    Real wineIor = 1.345;
-    Real level = 0.145;  ///< height of the wine's surface, m; within the bowl
+    Real glassIor = 1.52;  ///< index of refraction of the glass
+    Real wineIor = 1.345;  ///< and of the wine
+    Real level = 0.145;    ///< height of the wine's surface, m; within the bowl
 
     /// Absorption coefficient of the wine, 1/m.
     Color wineSigmaA = {4, 40, 32};

@@ -24,11 +24,13 @@ inline BezierSpline waveSpline() {
                                             {9, 0, 0}});
 }
 
+/// A closed one: smooth everywhere.
 inline BezierSpline ringSpline() {
     return BezierSpline::fromControlPoints(
         {{1, 0, 0}, {1, 1, 0}, {-1, 1, 0}, {-1, 0, 0}, {-1, -1, 0}, {1, -1, 0}, {1, 0, 0}}, true);
 }
 
+/// What the editor makes of it.
 inline EditorModel modelOf(const BezierSpline& spline) { return EditorModel(spline, "test"); }
 
 /// The largest distance from places of one curve to the other one.
@@ -41,20 +43,25 @@ inline Real distance(const BezierSpline& from, const EditorModel& to) {
     return largest;
 }
 
+/// A file that holds the curve.
 inline std::filesystem::path saved(const test::TemporaryFolder& folder, const BezierSpline& spline) {
     saveProfileText(spline, folder / "wave.txt");
     return folder / "wave.txt";
 }
 
+/// Where a point is drawn.
 inline Vec2 pixelOf(const Editor& editor, const PointId& id) {
     return editor.view().toPixel(editor.model().position(id));
 }
 
+/// Presses and lets go.
 inline void click(Editor& editor, const Vec2& pixel) {
     editor.mouse(MouseAction::LeftDown, pixel, false);
     editor.mouse(MouseAction::LeftUp, pixel, false);
 }
 
+/// Presses, moves in two steps, lets go.
+/// @param alone  whether the partner of a handle stays
 inline void drag(Editor& editor, const Vec2& from, const Vec2& to, bool alone = false) {
     editor.mouse(MouseAction::LeftDown, from, alone);
     editor.mouse(MouseAction::Move, (from + to) / 2, alone);

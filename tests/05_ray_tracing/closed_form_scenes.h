@@ -14,7 +14,9 @@
 
 namespace caustic::test {
 
+/// Numbers of all scenes.
 inline const IndependentSampler independent(1);
+/// The filter of all pictures.
 inline const BoxFilter box;
 
 /// A material of that reflectance.

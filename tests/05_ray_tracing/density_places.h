@@ -21,12 +21,15 @@
 /// the library's is used twice. What spreads light is looked at in property_bsdf.cpp.
 namespace caustic::test {
 
+/// π.
 inline constexpr Real pi = std::numbers::pi;
+/// Of each test.
 inline constexpr double falseAlarm = 1e-6;
 
 /// So many samples of all configurations of a sampler together show an error of 3 % in one octant.
 inline constexpr int samplesForPower = 1'000'000;
 
+/// Two numbers, the first one first.
 inline Vec2 uniformPair(Random& random) {
     const Real x = random.uniform();
     return {x, random.uniform()};
@@ -50,17 +53,19 @@ struct DirectionPlaces {
     Real zFrom = -1;
     Real zTo = 1;
 
+    /// The coordinates of a direction.
     Place place(const Vec3& direction) const {
         const Vec3 local = frame.toLocal(direction);
         return {(local.z() - zFrom) / (zTo - zFrom), std::atan2(local.y(), local.x()) / (2 * pi) + 0.5, 0, 0};
     }
+    /// The direction that they name.
     Vec3 direction(const Place& place) const {
         const Real z = zFrom + place[0] * (zTo - zFrom);
         const Real angle = 2 * pi * (place[1] - 0.5);
         const Real r = std::sqrt(std::max(Real(0), 1 - z * z));
         return frame.toWorld({r * std::cos(angle), r * std::sin(angle), z});
     }
-    // Of all places together.
+    /// Of all places together, sr.
     Real solidAngle() const { return 2 * pi * std::abs(zTo - zFrom); }
 };
 
@@ -86,6 +91,7 @@ struct Surface {
     std::function<Place(const Vec3& point, const Vec2& uv)> place;
 };
 
+/// A whole sphere, by the directions from its centre.
 inline Surface sphere(const Vec3& center, Real radius) {
     const DirectionPlaces places = {{}, 1, -1};
     return {std::make_shared<Sphere>(center, radius),
@@ -93,6 +99,7 @@ inline Surface sphere(const Vec3& center, Real radius) {
             [=](const Vec3& point, const Vec2&) { return places.place((point - center) / radius); }};
 }
 
+/// A rectangle, by its own uv.
 inline Surface rectangle(const Vec3& corner, const Vec3& edgeU, const Vec3& edgeV) {
     return {std::make_shared<Rectangle>(corner, edgeU, edgeV),
             [=](const Place& at) -> Vec3 { return corner + at[0] * edgeU + at[1] * edgeV; },
@@ -110,6 +117,7 @@ inline Surface triangle(const Vec3& a, const Vec3& b, const Vec3& c) {
             }};
 }
 
+/// A ring cylinder, by the way round its profile and the angle.
 inline Surface ring(Real inner, Real outer, Real bottom, Real top) {
     const Real width = outer - inner;
     const Real height = top - bottom;

@@ -11,7 +11,7 @@
 
 namespace caustic::test {
 
-// Of all points: their squared distances.
+/// Of all points: their squared distances.
 inline std::vector<Real> squaredDistances(const PointCloud& cloud, const Vec3& query) {
     std::vector<Real> squared;
     squared.reserve(cloud.points.size());
@@ -19,8 +19,8 @@ inline std::vector<Real> squaredDistances(const PointCloud& cloud, const Vec3& q
     return squared;
 }
 
-// What the search found must be the k smallest distances, bit for bit, each of a point of its own. Which of several
-// points at the same distance is found is the tree's choice.
+/// What the search found must be the k smallest distances, bit for bit, each of a point of its own. Which of several
+/// points at the same distance is found is the tree's choice.
 inline void expectNearest(const PointCloud& cloud, const PointKdTree& tree, const Vec3& query, std::size_t k,
                           Real radius, NearestPoints& found) {
     tree.nearest(query, k, radius, found);
@@ -43,7 +43,7 @@ inline void expectNearest(const PointCloud& cloud, const PointKdTree& tree, cons
     ASSERT_EQ(places.size(), count) << cloud.name << ": a point was found twice";
 }
 
-// And all points within the radius, each once.
+/// And all points within the radius, each once.
 inline void expectWithin(const PointCloud& cloud, const PointKdTree& tree, const Vec3& query, Real radius) {
     std::vector<std::uint32_t> found;
     tree.within(query, radius, [&](const NearPoint& one) { found.push_back(tree.order()[one.place]); });
@@ -56,7 +56,7 @@ inline void expectWithin(const PointCloud& cloud, const PointKdTree& tree, const
     ASSERT_EQ(found, expected) << cloud.name << ", " << cloud.points.size() << " points, radius " << radius;
 }
 
-// Random queries of one cloud.
+/// Random queries of one cloud.
 inline void expectBruteForce(const PointCloud& cloud, int queries, std::uint64_t seed) {
     const PointKdTree tree(cloud.points);
     ASSERT_EQ(tree.size(), cloud.points.size());

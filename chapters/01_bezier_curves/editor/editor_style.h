@@ -10,14 +10,14 @@
 /// Colours of the editor, and how it writes numbers.
 namespace caustic::editor_style {
 
-inline constexpr Ink paper{0xff, 0xff, 0xff};
-inline constexpr Ink panelPaper{0xf4, 0xf5, 0xf7};
-inline constexpr Ink faint{0xee, 0xee, 0xee};
-inline constexpr Ink quiet{0x77, 0x77, 0x77};
-inline constexpr Ink curveInk = palette::blue;
-inline constexpr Ink handleInk = palette::vermilion;
-inline constexpr Ink boxInk = palette::green;
-inline constexpr Ink chosenInk = palette::orange;
+inline constexpr Ink paper{0xff, 0xff, 0xff};         ///< behind the drawing
+inline constexpr Ink panelPaper{0xf4, 0xf5, 0xf7};    ///< behind the panel
+inline constexpr Ink faint{0xee, 0xee, 0xee};         ///< grid lines
+inline constexpr Ink quiet{0x77, 0x77, 0x77};         ///< what is said by the way
+inline constexpr Ink curveInk = palette::blue;        ///< the curve
+inline constexpr Ink handleInk = palette::vermilion;  ///< handles
+inline constexpr Ink boxInk = palette::green;         ///< bounding boxes
+inline constexpr Ink chosenInk = palette::orange;     ///< what is chosen
 
 /// A number with so many significant digits.
 inline std::string number(Real value, int digits = 5) {
