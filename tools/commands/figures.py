@@ -44,7 +44,8 @@ def run(args):
     if args.full and not args.check:
         raise CourseError("--full belongs to --check; run ./course figures --check --full")
     chapters = choose_chapters(args.chapters)
-    require_known(args.only, {chapter: spelled_figures(chapter) for chapter in chapters})
+    if args.only:
+        require_known(args.only, {chapter: spelled_figures(chapter) for chapter in chapters})
     ensure_packages("build")
     if args.check:
         cmake.build(targets=[*chapters, "preview"], title="build the chapters")
@@ -65,6 +66,13 @@ def run(args):
 def spelled_figures(chapter):
     """The names of a chapter's figures as its main.cpp has them, a row each: known before anything is built."""
     return re.findall(r'^ *\{"(\w+)",', (ROOT / "chapters" / chapter / "main.cpp").read_text(), re.MULTILINE)
+
+
+def is_current(chapter):
+    """Whether all committed figures of a chapter are what its sources make."""
+    current, folder = CurrentInputs.of(chapter, declarations()), FIGURES / chapter
+    entries = provenance.read(folder)
+    return bool(entries) and not any(provenance.stale_reasons(entry, current, folder) for entry in entries.values())
 
 
 def table_of_contents(chapter):
