@@ -69,27 +69,16 @@ std::optional<Hit> Scene::intersect(const Ray& ray) const {
     return world_->intersect(ray);
 }
 
-std::optional<Interaction> Scene::follow(const Ray& ray, MediumStack& media, Color& weight, const PathNumbers* numbers,
-                                         int vertex, RayCounts& counts) const {
-    weight = Color::Ones();
+template <typename Pass>
+std::optional<Interaction> Scene::followBy(const Ray& ray, MediumStack& media, RayCounts& counts,
+                                           const Pass& pass) const {
     Ray rest = ray;
-    std::uint64_t passed = 0;  // media that scatter
     for (;;) {
         ++counts.rays;
         const std::optional<Hit> hit = intersect(rest);
         if (const Medium* const medium = media.medium()) {
-            const Real tEnd = hit ? hit->t : rest.tMax;
-            if (numbers != nullptr && medium->phase() != nullptr) {
-                ++counts.distanceSamples;
-                const DistanceSample sample = sampleDistance(*medium, rest, tEnd, *numbers, vertex, passed++);
-                weight *= sample.weight;
-                if (sample.scattered)
-                    return std::optional<Interaction>(std::in_place, rest.at(sample.t), -ray.direction,
-                                                      *medium->phase(), media);
-            } else {
-                ++counts.transmittances;
-                weight *= medium->transmittance(rest, tEnd);
-            }
+            if (const std::optional<Real> t = pass(*medium, rest, hit ? hit->t : rest.tMax))
+                return std::optional<Interaction>(std::in_place, rest.at(*t), -ray.direction, *medium->phase(), media);
         }
         if (!hit) return std::nullopt;
         const SceneObject& one = object(hit->object);
@@ -105,6 +94,45 @@ std::optional<Interaction> Scene::follow(const Ray& ray, MediumStack& media, Col
         media = crossing.after;
         rest = spawnRay(*hit, ray.direction);
     }
+}
+
+std::optional<Interaction> Scene::follow(const Ray& ray, MediumStack& media, Color& transmittance,
+                                         RayCounts& counts) const {
+    transmittance = Color::Ones();
+    return followBy(ray, media, counts, [&](const Medium& medium, const Ray& rest, Real tEnd) -> std::optional<Real> {
+        ++counts.transmittances;
+        transmittance *= medium.transmittance(rest, tEnd);
+        return std::nullopt;
+    });
+}
+
+std::optional<Interaction> Scene::follow(const Ray& ray, MediumStack& media, Color& transmittance,
+                                         std::vector<MediumSpan>& spans, RayCounts& counts) const {
+    transmittance = Color::Ones();
+    spans.clear();
+    return followBy(ray, media, counts, [&](const Medium& medium, const Ray& rest, Real tEnd) -> std::optional<Real> {
+        if (medium.phase() != nullptr) spans.push_back({rest, tEnd, &medium, media, transmittance});
+        ++counts.transmittances;
+        transmittance *= medium.transmittance(rest, tEnd);
+        return std::nullopt;
+    });
+}
+
+std::optional<Interaction> Scene::follow(const Ray& ray, MediumStack& media, Color& weight, const PathNumbers& numbers,
+                                         int vertex, RayCounts& counts) const {
+    weight = Color::Ones();
+    std::uint64_t passed = 0;  // media that scatter
+    return followBy(ray, media, counts, [&](const Medium& medium, const Ray& rest, Real tEnd) -> std::optional<Real> {
+        if (medium.phase() == nullptr) {
+            ++counts.transmittances;
+            weight *= medium.transmittance(rest, tEnd);
+            return std::nullopt;
+        }
+        ++counts.distanceSamples;
+        const DistanceSample sample = sampleDistance(medium, rest, tEnd, numbers, vertex, passed++);
+        weight *= sample.weight;
+        return sample.scattered ? std::optional<Real>(sample.t) : std::nullopt;
+    });
 }
 
 Color Scene::transmittance(const Ray& shadow, const MediumStack& media, RayCounts& counts) const {

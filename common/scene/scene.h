@@ -12,6 +12,15 @@
 
 namespace caustic {
 
+/// A piece of a ray's way that lies in one medium.
+struct MediumSpan {
+    Ray ray;                         ///< from where the piece begins, unit direction
+    Real tEnd = 0;                   ///< where it ends; may be infinite
+    const Medium* medium = nullptr;  ///< the medium
+    MediumStack media;               ///< what the ray is in there
+    Color before = Color::Ones();    ///< the share of light that passes the way up to the piece
+};
+
 /// Everything that light meets: shapes, materials, lights, media, camera. Never changes once it is made, so any number
 /// of threads may use it.
 class Scene {
@@ -51,9 +60,12 @@ public:
     /// @param counts         what is done is added
     /// @return nothing when it leaves the scene
     std::optional<Interaction> follow(const Ray& ray, MediumStack& media, Color& transmittance,
-                                      RayCounts& counts) const {
-        return follow(ray, media, transmittance, nullptr, 0, counts);
-    }
+                                      RayCounts& counts) const;
+
+    /// The same, for whoever gathers light along the whole way: tells through which media it leads.
+    /// @param spans  set to the pieces that lie in a medium which scatters, in their order
+    std::optional<Interaction> follow(const Ray& ray, MediumStack& media, Color& transmittance,
+                                      std::vector<MediumSpan>& spans, RayCounts& counts) const;
 
     /// Follows a ray to a path's next vertex: a surface as above, or before that a point at which a medium scatters
     /// light. Where nothing scatters it is the same, and takes no numbers.
@@ -63,9 +75,7 @@ public:
     /// @param numbers  the path's
     /// @param vertex   which vertex of the path is looked for, from 0
     std::optional<Interaction> follow(const Ray& ray, MediumStack& media, Color& weight, const PathNumbers& numbers,
-                                      int vertex, RayCounts& counts) const {
-        return follow(ray, media, weight, &numbers, vertex, counts);
-    }
+                                      int vertex, RayCounts& counts) const;
 
     /// The share of light that passes a shadow ray. Surfaces that refract stop it: what comes through them straight on
     /// is not what would come.
@@ -79,9 +89,10 @@ public:
     MediumStack mediaAt(const Vec3& point) const;
 
 private:
-    // Without numbers it stops at no point of a medium.
-    std::optional<Interaction> follow(const Ray& ray, MediumStack& media, Color& weight, const PathNumbers* numbers,
-                                      int vertex, RayCounts& counts) const;
+    // Each piece of the way within a medium is told to pass(medium, ray, tEnd, media), which multiplies the weight and
+    // answers where light is scattered, if it is.
+    template <typename Pass>
+    std::optional<Interaction> followBy(const Ray& ray, MediumStack& media, RayCounts& counts, const Pass& pass) const;
     const SceneObject& object(ObjectId id) const;
     bool passesStraight(const SceneObject& one, const Crossing& crossing) const;
     std::optional<Interaction> interaction(const Hit& hit, const Vec3& wo, const Crossing& crossing,
