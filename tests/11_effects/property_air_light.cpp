@@ -45,7 +45,7 @@ struct AirLight {
         const Real beside = (lamp - ray.at(foot)).norm();
         const Real from = std::atan(-foot / beside);
         const Real to = std::atan((tEnd - foot) / beside);
-        const GaussLegendre rule = gaussLegendre(32);
+        const GaussRule rule = gaussLegendreRule(32);
         constexpr int pieces = 64;
         Color sum = Color::Zero();
         for (int piece = 0; piece < pieces; ++piece) {
@@ -111,7 +111,7 @@ TEST(AirLight, EquiAngularMeetsTheIntegral) {
                     EXPECT_NEAR(mean[c], expected[c], 5.5 * error[c] + 1e-9 * expected[c]) << miss << ", " << way;
                     EXPECT_NEAR(mean[c], expected[c], 0.01 * expected[c]) << miss << ", " << way;
                 }
-                EXPECT_EQ(counts.rays, counts.transmittances) << "Nothing is done but shadow rays through the fog.";
+                EXPECT_EQ(counts.rays, 0) << "Nothing is done but shadow rays.";
             }
         }
     }
@@ -119,7 +119,7 @@ TEST(AirLight, EquiAngularMeetsTheIntegral) {
 
 // The glow that photons can't show: as the ray passes nearer to the lamp, the light grows as one over the distance.
 TEST(AirLight, GlowsAroundTheLamp) {
-    const AirLight one = cases()[1];
+    const AirLight one = cases()[0];
     const Scene scene = one.scene();
     const LightChoice lights(scene.lights());
     const IndependentSampler sampler(4);
@@ -133,7 +133,7 @@ TEST(AirLight, GlowsAroundTheLamp) {
         for (int i = 0; i < 4000; ++i)
             mean += scatteredEquiAngular(scene, lights, span, 0, sampler.start(1, {0, 0}, i), counts) / 4000;
         if (before.maxCoeff() > 0) {
-            for (int c = 0; c < 3; ++c) EXPECT_NEAR(mean[c] / before[c], 10, 1) << miss;
+            for (int c = 0; c < 3; ++c) EXPECT_NEAR(mean[c] / before[c], 10.5, 1) << miss;
         }
         before = mean;
     }
