@@ -86,18 +86,18 @@ TEST(ThinLensCamera, SeesWhatItLooksAt) {
     EXPECT_EQ(camera->pdf({Vec3(0.4, -3.6, 0.5), Vec3(0, -1, 0)}).pdfW, 0);
 }
 
-// A lamp far smaller than its blur, rendered: its light is spread over a disc of the closed form's diameter, whose
+// A lamp smaller than its blur, rendered: its light is spread over a disc of the closed form's diameter, whose
 // second moment is a sixteenth of the diameter squared along each axis.
 TEST(ThinLensCamera, BlurHasTheClosedFormsSize) {
-    constexpr int side = 128;
+    constexpr int side = 48;
     const SobolSampler sampler(3);
     for (const auto& [depth, focus] : {std::pair(3.0, 6.0), {9.0, 4.0}, {5.0, 50.0}}) {
         SceneDescription description;
-        constexpr Real lamp = 0.01;
+        constexpr Real lamp = 0.06;
         description.objects = {
             rectangleLamp({-lamp / 2, -lamp / 2, -depth}, {lamp, 0, 0}, {0, lamp, 0}, Color::Ones())};
         const auto camera =
-            std::make_shared<ThinLensCamera>(Vec3::Zero(), -Vec3::UnitZ(), Vec3::UnitY(), 0.3, side, side, 0.1, focus);
+            std::make_shared<ThinLensCamera>(Vec3::Zero(), -Vec3::UnitZ(), Vec3::UnitY(), 0.12, side, side, 0.1, focus);
         description.camera = camera;
         const Scene scene(description);
         PathTracer tracer(scene, sampler, filter, {});
@@ -115,7 +115,7 @@ TEST(ThinLensCamera, BlurHasTheClosedFormsSize) {
         }
         const Vec2 variance = second / sum - (first / sum).cwiseAbs2();
         // The square of the lamp and that of a pixel blur it further: a twelfth of their sides squared.
-        const Real pixels = side * lamp / (2 * std::tan(0.15) * depth);
+        const Real pixels = side * lamp / (2 * std::tan(0.06) * depth);
         const Real own = (pixels * pixels + 1) / 12;
         const Real diameter = 4 * std::sqrt(variance.mean() - own);
         EXPECT_NEAR(diameter / camera->circleOfConfusion(depth), 1, 0.02) << "depth " << depth << ", focus " << focus;

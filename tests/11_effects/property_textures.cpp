@@ -86,14 +86,14 @@ TEST(ImageTexture, RefusesWhatIsNoTexture) {
                  InputError);
 }
 
-// A box whose back wall and lamp have the texture.
-SceneDescription texturedBox(const std::shared_ptr<const Texture>& texture, const std::shared_ptr<const Shape>& lamp,
-                             int side) {
+// A box with a lamp and a back wall of its own.
+SceneDescription boxWithLamp(const std::shared_ptr<const Texture>& radiance, const std::shared_ptr<const Shape>& lamp,
+                             const std::shared_ptr<const Texture>& wall, int side) {
     SceneDescription scene = DiffuseBox{}.scene(side, side);
     std::erase_if(scene.objects, [](const SceneObject& one) { return one.emission != nullptr; });
-    scene.objects.push_back({lamp, nullptr, std::nullopt, texture});
+    scene.objects.push_back({lamp, nullptr, std::nullopt, radiance});
     scene.objects.push_back({std::make_shared<Rectangle>(Vec3(-1, 0.9, -1), Vec3(2, 0, 0), Vec3(0, 0, 2)),
-                             std::make_shared<DiffuseMaterial>(texture)});
+                             std::make_shared<DiffuseMaterial>(wall)});
     return scene;
 }
 
@@ -106,7 +106,7 @@ TEST(ImageTexture, OneColourIsAConstantTexture) {
     const IndependentSampler sampler(5);
     const BoxFilter filter;
     const auto rendered = [&](const std::shared_ptr<const Texture>& texture) {
-        const Scene scene(texturedBox(texture, ceilingLamp(), 20));
+        const Scene scene(boxWithLamp(texture, ceilingLamp(), texture, 20));
         PathTracer tracer(scene, sampler, filter, {});
         return render(tracer, {.passes = 3});
     };
@@ -123,12 +123,9 @@ TEST(WeightedShape, LampsAgree) {
     const Image image = test::uglyMap(6, 5, 3);
     std::vector<test::AgreementScene> scenes;
     const auto texture = std::make_shared<ImageTexture>(shared(image));
-    scenes.push_back(
-        {"weighted", texturedBox(texture, std::make_shared<WeightedShape>(ceilingLamp(), image), test::agreementSide)});
-    for (SceneObject& one : scenes.back().description.objects) {
-        if (!one.emission && one.material && one.material->textured())
-            one.material = std::make_shared<DiffuseMaterial>(Color(0.3, 0.5, 0.7));
-    }
+    const auto wall = std::make_shared<ConstantTexture>(Color(0.3, 0.5, 0.7));
+    scenes.push_back({"weighted", boxWithLamp(texture, std::make_shared<WeightedShape>(ceilingLamp(), image), wall,
+                                              test::agreementSide)});
     const test::Agreement agreement = test::compareMethods(scenes, test::agreementMethods(), 48, 1, 2);
     EXPECT_TRUE(agreement.agrees()) << agreement.worst << ": " << agreement.largestT << " of " << agreement.mostT
                                     << ", means " << agreement.largestMeanT << ", variance " << agreement.variance;
