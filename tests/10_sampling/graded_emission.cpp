@@ -1,0 +1,93 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+#include <vector>
+
+#include "sampling/emission_sampler.h"
+#include "support/chi_square.h"
+
+namespace caustic {
+namespace {
+
+constexpr double falseAlarm = 1e-6;
+constexpr std::uint32_t columns = 9;
+constexpr std::uint32_t rows = 14;
+
+std::vector<Vec2> points(CellPlace place, std::int64_t round, Dimension dimension, std::uint64_t seed = 3) {
+    const EmissionSampler sampler(seed, columns, rows, place);
+    std::vector<Vec2> all;
+    for (std::uint32_t cell = 0; cell < columns * rows; ++cell)
+        all.push_back(sampler.pointOf(cell, {2, {0, 0}, round * columns * rows + (cell * 5) % (columns * rows)}, dimension));
+    return all;
+}
+
+// Cell row · columns + column holds its point, wherever in it; in the plain grid that is its middle.
+TEST(EmissionSampler, PutsEachPointIntoItsCell) {
+    for (const CellPlace place : {CellPlace::Centre, CellPlace::Jittered, CellPlace::Offset}) {
+        for (std::int64_t round = 0; round < 20; ++round) {
+            const std::vector<Vec2> all = points(place, round, Dimension::emissionDirection());
+            for (std::uint32_t cell = 0; cell < all.size(); ++cell) {
+                const Vec2& u = all[cell];
+                ASSERT_TRUE(u.minCoeff() >= 0 && u.maxCoeff() < 1);
+                ASSERT_EQ(static_cast<std::uint32_t>(u.x() * columns), cell % columns) << "Which way do columns go?";
+                ASSERT_EQ(static_cast<std::uint32_t>(u.y() * rows), cell / columns);
+                if (place != CellPlace::Centre) continue;
+                ASSERT_NEAR(u.x() * columns - cell % columns, 0.5, 1e-9);
+                ASSERT_NEAR(u.y() * rows - cell / columns, 0.5, 1e-9);
+            }
+        }
+    }
+}
+
+// Over many rounds a jittered point, and an offset one, is anywhere in its cell, with the same density.
+TEST(EmissionSampler, FillsItsCells) {
+    for (const CellPlace place : {CellPlace::Jittered, CellPlace::Offset}) {
+        std::vector<double> counts(36, 0);
+        constexpr int rounds = 400;
+        for (std::int64_t round = 0; round < rounds; ++round) {
+            for (const Vec2& u : points(place, round, Dimension::emissionPoint())) {
+                const Vec2 within(u.x() * columns - std::floor(u.x() * columns), u.y() * rows - std::floor(u.y() * rows));
+                ++counts[6 * static_cast<std::size_t>(6 * within.x()) + static_cast<std::size_t>(6 * within.y())];
+            }
+        }
+        const std::vector<double> expected(36, rounds * columns * rows / 36.0);
+        EXPECT_GT(test::chiSquareProbability(counts, expected), falseAlarm)
+            << "Are both coordinates moved within their cell, each by a number of its own?";
+    }
+}
+
+// Chiu, Shirley, Wang 1994: with offsets, each coordinate alone has one point in each of columns · rows intervals.
+TEST(EmissionSampler, OffsetsSpreadEachCoordinate) {
+    for (std::int64_t round = 0; round < 10; ++round) {
+        std::set<std::uint32_t> across;
+        std::set<std::uint32_t> along;
+        for (const Vec2& u : points(CellPlace::Offset, round, Dimension::emissionDirection())) {
+            across.insert(static_cast<std::uint32_t>(u.x() * columns * rows));
+            along.insert(static_cast<std::uint32_t>(u.y() * columns * rows));
+        }
+        EXPECT_EQ(across.size(), columns * rows) << "Do a column's points lie side by side in x?";
+        EXPECT_EQ(along.size(), columns * rows) << "And a row's in y?";
+    }
+}
+
+// In which order they lie is another one for each column, each row, each round and each pair.
+TEST(EmissionSampler, OffsetsHaveOrdersOfTheirOwn) {
+    std::set<std::vector<std::uint32_t>> orders;
+    std::size_t lines = 0;
+    for (std::int64_t round = 0; round < 5; ++round) {
+        for (const Dimension dimension : {Dimension::emissionPoint(), Dimension::emissionDirection()}) {
+            const std::vector<Vec2> all = points(CellPlace::Offset, round, dimension);
+            for (std::uint32_t column = 0; column < columns; ++column, ++lines) {
+                std::vector<std::uint32_t> order;
+                for (std::uint32_t row = 0; row < rows; ++row)
+                    order.push_back(static_cast<std::uint32_t>(all[row * columns + column].x() * columns * rows) % rows);
+                orders.insert(order);
+            }
+        }
+    }
+    EXPECT_EQ(orders.size(), lines) << "The same order in all columns is a pattern again.";
+}
+
+}  // namespace
+}  // namespace caustic

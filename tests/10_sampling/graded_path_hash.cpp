@@ -1,0 +1,99 @@
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <set>
+
+#include "integrator/path_hash.h"
+#include "material/diffuse_material.h"
+#include "material/dielectric_material.h"
+#include "material/mirror_material.h"
+#include "modeler/objects.h"
+#include "shape/sphere.h"
+
+namespace caustic {
+namespace {
+
+// Two floors side by side, a diffuse wall behind; a glass ball and a mirror ball, both in front of the wall; a lamp.
+struct Room {
+    Scene scene = Scene(description());
+    RayCounts counts;
+
+    static SceneDescription description() {
+        SceneDescription room;
+        room.objects = {diffuseRectangle({-4, 0, -4}, {0, 0, 8}, {4, 0, 0}, Color(0.7, 0.2, 0.1)),
+                        diffuseRectangle({0, 0, -4}, {0, 0, 8}, {4, 0, 0}, Color(0.1, 0.2, 0.7)),
+                        diffuseRectangle({-4, 0, -4}, {8, 0, 0}, {0, 5, 0}, Color(0.4, 0.5, 0.4)),
+                        glassBall({-1.5, 1.2, 0}, 0.9, 1.5),
+                        mirrorBall({1.5, 1.2, 0}, 0.9),
+                        rectangleLamp({-1, 5, -1}, {2, 0, 0}, {0, 0, 2}, Color::Ones())};
+        return room;
+    }
+    std::uint64_t hash(const Vec3& from, const Vec3& to, int segments = 10) {
+        return pathHash(scene, {from, (to - from).normalized()}, segments, counts);
+    }
+};
+
+const Vec3 eye(0.2, 2.2, 6);
+
+// What light takes the same way to has the same number: rays side by side, and the same ray again.
+TEST(PathHash, IsTheSameForTheSameWay) {
+    Room room;
+    for (const Vec3& to : {Vec3(-2, 0, 2), Vec3(2, 0, 2.5), Vec3(0.1, 3, -4), Vec3(-1.5, 1.25, 0), Vec3(1.5, 1.6, 0)}) {
+        std::set<std::uint64_t> hashes;
+        for (int i = 0; i < 50; ++i) hashes.insert(room.hash(eye, to + 1e-4 * Vec3(i % 7, 0, i % 5)));
+        EXPECT_EQ(hashes.size(), 1U) << "to " << to.transpose() << ": No number of the path is random.";
+    }
+}
+
+// Another object, over the mirror or through the glass or straight: each another number.
+TEST(PathHash, TellsObjectsApart) {
+    Room room;
+    std::set<std::uint64_t> hashes;
+    hashes.insert(room.hash(eye, {-2, 0, 2}));        // left floor
+    hashes.insert(room.hash(eye, {2, 0, 2.5}));       // right floor
+    hashes.insert(room.hash(eye, {0.1, 3, -4}));      // wall
+    hashes.insert(room.hash(eye, {-1.5, 1.25, 0}));   // through the glass
+    hashes.insert(room.hash(eye, {1.7, 1.55, 0}));    // over the mirror
+    hashes.insert(room.hash(eye, {0, 4.5, 20}));      // out of the room
+    EXPECT_EQ(hashes.size(), 6U) << "Do the objects of the whole path go in, and a way out of the scene, too?";
+}
+
+// What the mirror shows counts, and what is behind the glass.
+TEST(PathHash, GoesOnOverMirrorsAndThroughGlass) {
+    Room room;
+    EXPECT_NE(room.hash({1.5, 2.6, 3}, {1.5, 0.6, 0.5}), room.hash({1.5, 2.6, 3}, {1.5, 1.7, 0.5}))
+        << "In the mirror: floor, or what is behind the eye?";
+    EXPECT_NE(room.hash(eye, {-1.5, 1.25, 0}, 3), room.hash(eye, {-1.5, 1.25, 0}, 1))
+        << "Two more segments go through the glass to what is behind it.";
+    EXPECT_EQ(room.hash(eye, {-1.5, 1.25, 0}, 3), room.hash(eye, {-1.5, 1.25, 0}, 50))
+        << "It ends where light is spread.";
+}
+
+// The side from which an object is met, and the order in which objects are.
+TEST(PathHash, TellsSidesAndOrderApart) {
+    SceneDescription description;
+    const auto ball = [&](Real x, bool mirror) {
+        SceneObject one = {.shape = std::make_shared<Sphere>(Vec3(x, 0, 0), 1.0)};
+        if (mirror) {
+            one.material = std::make_shared<MirrorMaterial>(Color::Ones());
+        } else {
+            one.material = std::make_shared<DiffuseMaterial>(Color(0.5, 0.2, 0.1));
+        }
+        return one;
+    };
+    description.objects = {ball(0, false)};
+    const Scene alone(description);
+    RayCounts counts;
+    EXPECT_NE(pathHash(alone, {Vec3(0, 0, 0), Vec3::UnitX()}, 9, counts),
+              pathHash(alone, {Vec3(-3, 0, 0), Vec3::UnitX()}, 9, counts))
+        << "From inside it is another sight than from outside.";
+    // Between two mirrors that face each other: first one or first the other, as many times each.
+    description.objects = {ball(-2, true), ball(2, true)};
+    const Scene between(description);
+    EXPECT_NE(pathHash(between, {Vec3(0, 0, 0), Vec3::UnitX()}, 2, counts),
+              pathHash(between, {Vec3(0, 0, 0), -Vec3::UnitX()}, 2, counts))
+        << "Is a sum, or an exclusive or, told apart from another order?";
+}
+
+}  // namespace
+}  // namespace caustic
