@@ -7,5 +7,10 @@ int main(int argc, char** argv) {
     return runChapter(thisChapter, argc, argv,
                       {
                           {"depth_of_field", drawDepthOfField},
+                          {"volume_light", drawVolumeLight},
+                          {"glow", drawGlow},
+                          {"speed_accuracy", chartSpeedAccuracy, true},
+                          {"failure", chartFailures},
+                          {"quantity", tabulateQuantities, true},
                       });
 }

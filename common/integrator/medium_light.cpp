@@ -20,26 +20,32 @@ Color turnedAt(const Scene& scene, const LightChoice& lights, const MediumSpan& 
 
 }  // namespace
 
-Color scatteredEquiAngular(const Scene& scene, const LightChoice& lights, const MediumSpan& span, int vertex,
+Color scatteredEquiAngular(const Scene& scene, const LightChoice& lights, const MediumSpan& span, int places, int vertex,
                            const PathNumbers& numbers, RayCounts& counts) {
     //! [equi-angular]
-    const auto lamp = lights.choose(numbers.number(Dimension::vertex(vertex, VertexUse::LightChoice)));
-    if (!lamp) return Color::Zero();
-    const Real u = numbers.number(Dimension::vertex(vertex, VertexUse::Distance));
-    if (lamp->light->infinite()) {
-        const Real uChannel = numbers.number(Dimension::vertex(vertex, VertexUse::Channel));
-        const DistanceSample sample = span.medium->sampleDistance(span.ray, span.tEnd, u, uChannel);
-        if (!sample.scattered) return Color::Zero();
-        return sample.weight * turnedAt(scene, lights, span, sample.t, vertex, numbers, counts);
+    const Real offset = numbers.number(Dimension::vertex(vertex, VertexUse::Distance));
+    Color sum = Color::Zero();
+    for (int i = 0; i < places; ++i) {
+        const Real u = (i + offset) / places;
+        const PathNumbers own = numbers.part(i, places);
+        const auto lamp = lights.choose(own.number(Dimension::vertex(vertex, VertexUse::LightChoice)));
+        if (!lamp) return Color::Zero();
+        if (lamp->light->infinite()) {
+            const Real uChannel = own.number(Dimension::vertex(vertex, VertexUse::Channel));
+            const DistanceSample sample = span.medium->sampleDistance(span.ray, span.tEnd, u, uChannel);
+            if (sample.scattered) sum += sample.weight * turnedAt(scene, lights, span, sample.t, vertex, own, counts);
+            continue;
+        }
+        // The point of the lamp that sampleDirectLight will pick by the same numbers, wherever it is asked from.
+        const Vec2 uPoint = own.pair(Dimension::vertex(vertex, VertexUse::LightPoint));
+        const auto emission = lamp->light->sampleEmission(uPoint, {0.5, 0.5});
+        if (!emission) continue;
+        const PlaceOnRay place = sampleEquiAngular(span.ray, span.tEnd, emission->ray.origin, u);
+        const Color weight =
+            span.medium->sigmaS(span.ray.at(place.t)) * span.medium->transmittance(span.ray, place.t) / place.pdf;
+        sum += weight * turnedAt(scene, lights, span, place.t, vertex, own, counts);
     }
-    // The point of the lamp that sampleDirectLight will pick by the same numbers, wherever it is asked from.
-    const Vec2 uPoint = numbers.pair(Dimension::vertex(vertex, VertexUse::LightPoint));
-    const auto emission = lamp->light->sampleEmission(uPoint, {0.5, 0.5});
-    if (!emission) return Color::Zero();
-    const PlaceOnRay place = sampleEquiAngular(span.ray, span.tEnd, emission->ray.origin, u);
-    const Color weight =
-        span.medium->sigmaS(span.ray.at(place.t)) * span.medium->transmittance(span.ray, place.t) / place.pdf;
-    return weight * turnedAt(scene, lights, span, place.t, vertex, numbers, counts);
+    return sum / places;
     //! [equi-angular]
 }
 

@@ -109,12 +109,8 @@ Color VolumeSppm::scatteredAlong(const MediumSpan& span, int length, std::uint64
     }
     if (length >= settings_.limits.maxLength || how == MediumDirect::Photons) return sum;
     const PathNumbers own = numbers.branch(mediumBranch + which);
-    if (how == MediumDirect::Marching)
-        return sum + scatteredByMarching(scene(), lights_, span, settings_.places, length - 1, own, counts);
-    Color direct = Color::Zero();
-    for (int i = 0; i < settings_.places; ++i)
-        direct += scatteredEquiAngular(scene(), lights_, span, length - 1, own.part(i, settings_.places), counts);
-    return sum + direct / settings_.places;
+    const auto& direct = how == MediumDirect::Marching ? scatteredByMarching : scatteredEquiAngular;
+    return sum + direct(scene(), lights_, span, settings_.places, length - 1, own, counts);
     //! [scattered-along]
 }
 

@@ -100,7 +100,7 @@ TEST(AirLight, EquiAngularMeetsTheIntegral) {
                 RayCounts counts;
                 for (int i = 0; i < n; ++i) {
                     const Color value =
-                        scatteredEquiAngular(scene, lights, span, 0, sampler.start(1, {0, 0}, i), counts);
+                        scatteredEquiAngular(scene, lights, span, 1, 0, sampler.start(1, {0, 0}, i), counts);
                     sum += value;
                     squares += value * value;
                 }
@@ -131,7 +131,7 @@ TEST(AirLight, GlowsAroundTheLamp) {
         Color mean = Color::Zero();
         RayCounts counts;
         for (int i = 0; i < 4000; ++i)
-            mean += scatteredEquiAngular(scene, lights, span, 0, sampler.start(1, {0, 0}, i), counts) / 4000;
+            mean += scatteredEquiAngular(scene, lights, span, 1, 0, sampler.start(1, {0, 0}, i), counts) / 4000;
         if (before.maxCoeff() > 0) {
             for (int c = 0; c < 3; ++c) EXPECT_NEAR(mean[c] / before[c], 10.5, 1) << miss;
         }
@@ -175,7 +175,7 @@ TEST(AirLight, TakesSkyLightAtPlacesOfTheMedium) {
     Color mean = Color::Zero();
     RayCounts counts;
     for (int i = 0; i < n; ++i)
-        mean += scatteredEquiAngular(scene, lights, span, 0, sampler.start(1, {0, 0}, i), counts) / n;
+        mean += scatteredEquiAngular(scene, lights, span, 1, 0, sampler.start(1, {0, 0}, i), counts) / n;
     const Color expected = one.sigmaS * 2e-3 * Color(1, 2, 3);
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(mean[c] / expected[c], 1, 0.2) << c;
 }
@@ -190,7 +190,7 @@ TEST(AirLight, ReachesToInfinity) {
     const IndependentSampler sampler(6);
     RayCounts counts;
     for (int i = 0; i < 1000; ++i)
-        EXPECT_TRUE(scatteredEquiAngular(scene, lights, span, 0, sampler.start(1, {0, 0}, i), counts).allFinite());
+        EXPECT_TRUE(scatteredEquiAngular(scene, lights, span, 1, 0, sampler.start(1, {0, 0}, i), counts).allFinite());
     EXPECT_THROW(scatteredByMarching(scene, lights, span, 8, 0, sampler.start(1, {0, 0}, 0), counts), InputError);
 }
 

@@ -1,0 +1,88 @@
+#include <cmath>
+
+#include "camera/box_filter.h"
+#include "camera/pinhole_camera.h"
+#include "core/progress.h"
+#include "figures.h"
+#include "image/image_file.h"
+#include "image/tiles.h"
+#include "image/tone_mapping.h"
+#include "integrator/picture.h"
+#include "integrator/volume_sppm.h"
+#include "light/cone_light.h"
+#include "measures/air_light.h"
+#include "medium/henyey_greenstein.h"
+#include "medium/homogeneous_medium.h"
+#include "modeler/objects.h"
+#include "modeler/wine_glass.h"
+#include "sampling/sobol_sampler.h"
+#include "shape/sphere.h"
+
+namespace caustic {
+
+namespace {
+
+// A glass of wine under a spotlight, in a ball of faint fog.
+SceneDescription glassInFog(const std::string& outline, int width, int height) {
+    const WineGlass glass = {loadOutline(outline)};
+    SceneDescription scene;
+    scene.objects = glass.objects();
+    scene.objects.push_back(diffuseRectangle({-1.6, -1e-4, -1}, {0, 0, 3}, {3.2, 0, 0}, Color(0.5, 0.47, 0.43)));
+    scene.objects.push_back(diffuseRectangle({-1.6, -1e-4, -0.6}, {3.2, 0, 0}, {0, 1.6, 0}, Color(0.16, 0.18, 0.22)));
+    const auto fog = std::make_shared<HomogeneousMedium>(Color::Constant(0.05), Color(0.5, 0.5, 0.5),
+                                                         std::make_shared<HenyeyGreenstein>(0.3));
+    scene.objects.push_back({.shape = std::make_shared<Sphere>(Vec3(0, 0.2, 0), 2), .interior = Interior{1, fog, -1}});
+    const Vec3 lamp(-0.34, 0.5, -0.1);
+    scene.lights = {std::make_shared<ConeLight>(lamp, Vec3(0, 0.13, 0) - lamp, 0.2, Color(5.2, 4.8, 4.2))};
+    scene.camera = std::make_shared<PinholeCamera>(Vec3(0.1, 0.27, 0.75), Vec3(0.02, 0.15, 0), Vec3::UnitY(), 0.55,
+                                                   width, height);
+    return scene;
+}
+
+Image inFog(const Scene& scene, const VolumeSppmSettings& settings, std::int64_t passes, const PictureTone& tone,
+            FigureContext& context) {
+    const SobolSampler sampler(context.seed());
+    const BoxFilter filter;
+    VolumeSppm sppm(scene, sampler, filter, settings);
+    return toneMapped(renderImage(sppm, passes, context, &context.progress()), tone.exposure, tone.white);
+}
+
+}  // namespace
+
+void drawVolumeLight(FigureContext& context) {
+    const int width = context.byQuality(150, 600);
+    context.progress().expect(progressSteps);
+    const Scene scene(glassInFog(context.asset("assets/profiles/wine_glass.svg").string(), width, width * 4 / 3));
+    VolumeSppmSettings settings;
+    settings.limits = {.maxLength = 16, .rouletteStart = 4};
+    settings.radius = 5e-3;
+    settings.beamRadius = 6e-3;
+    settings.photons = 1 << 17;
+    settings.places = 4;
+    saveImage(context.output("volume_light.png"),
+              inFog(scene, settings, context.byQuality(4, 96), {1, 4}, context));
+}
+
+void drawGlow(FigureContext& context) {
+    const int side = context.byQuality(160, 320);
+    context.progress().expect(3 * progressSteps);
+    const AirLight light;
+    const auto tile = [&](const std::string& caption, MediumDirect direct, int places, std::int64_t passes) {
+        return Tile{caption, [&context, light, direct, places, passes](int width, int height) {
+                        const Scene scene(light.scene(width, height));
+                        VolumeSppmSettings settings;
+                        settings.limits = {.maxLength = 2, .rouletteStart = 9};
+                        settings.beamRadius = 0.12;
+                        settings.photons = direct == MediumDirect::Photons ? 1 << 16 : 0;
+                        settings.direct = direct;
+                        settings.places = places;
+                        return inFog(scene, settings, passes, {1.5, 4}, context);
+                    }};
+    };
+    drawTiles({tile("marching, 16 steps", MediumDirect::Marching, 16, 4),
+               tile("photons along the ray", MediumDirect::Photons, 1, context.byQuality(1, 8)),
+               tile("equi-angular, 8 places", MediumDirect::EquiAngular, 8, 1)},
+              side, side, "glow.png", context);
+}
+
+}  // namespace caustic

@@ -1,0 +1,11 @@
+#include "figure/quantities.h"
+#include "figures.h"
+#include "measures/volume_quantities.h"
+
+namespace caustic {
+
+void tabulateQuantities(FigureContext& context) {
+    writeQuantities({[&](CsvTable& table) { addVolumeQuantities(table, context); }}, context);
+}
+
+}  // namespace caustic
