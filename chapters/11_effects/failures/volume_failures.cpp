@@ -163,7 +163,7 @@ std::vector<bool> densityZero(Random& random) {
 }  // namespace
 
 std::vector<FailureKind> volumeKinds() {
-    const std::vector<TriedMethod> lamp = {{"marching, 64 steps"}, {"64 free flights"}, {"64 equi-angular places", true}};
+    const std::vector<TriedMethod> lamp = {{"64 steps of marching"}, {"64 free flights"}, {"64 equi-angular places", true}};
     return {{"fog: past a lamp", lamp, [](Random& random) { return besideTheLamp(random, 0.1, 0.5); }},
             {"fog: light near the ray", lamp, [](Random& random) { return besideTheLamp(random, 0.001, 0.02); }},
             {"fog: radius of photons", {{"radius 0.6"}, {"radius 0.02"}, {"radius 0.15"}}, radii},

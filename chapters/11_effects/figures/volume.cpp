@@ -64,7 +64,7 @@ void drawVolumeLight(FigureContext& context) {
 }
 
 void drawGlow(FigureContext& context) {
-    const int side = context.byQuality(160, 320);
+    constexpr int side = 320;
     context.progress().expect(3 * progressSteps);
     const AirLight light;
     const auto tile = [&](const std::string& caption, MediumDirect direct, int places, std::int64_t passes) {

@@ -36,8 +36,8 @@ Color AirLight::scatteredOnce(const Vec3& direction) const {
             const Real angle = from + half * (2 * piece + 1 + rule.nodes[i]);
             const Real t = foot + beside * std::tan(angle);
             const Real d = beside / std::cos(angle);
-            // Where the lamp lies ahead of the place, its light is turned back to the eye.
-            const Real cosine = -(foot - t) / d;
+            // Where the lamp lies ahead of the place, its light goes nearly straight on to the eye.
+            const Real cosine = (foot - t) / d;
             const Real phase = (1 - g * g) / (4 * std::numbers::pi * std::pow(1 + g * g - 2 * g * cosine, 1.5));
             sum += rule.weights[i] * phase * (-(sigmaA + sigmaS) * (t + d)).exp();
         }

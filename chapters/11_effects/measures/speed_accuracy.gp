@@ -1,6 +1,6 @@
 # Error over seconds, a mark a setting.
 file = folder."/speed_accuracy.csv"
-array methods[4] = ["fog: ray marching", "fog: photons along the ray", "fog: equi-angular", "fog: path tracing by free flight"]
+array methods[4] = ["fog: ray marching", "fog: photons along the ray", "fog: equi-angular in 16 places", "fog: path tracing by free flight"]
 set title "Light that fog scatters once around a lamp: error over seconds of one thread\n{/*0.8 48 × 48 pixels, against the air-light integral in closed form}"
 set datafile missing NaN
 set logscale xy

@@ -84,9 +84,9 @@ std::vector<Measured> methods(FigureContext& context) {
              [](const Scene& scene, const Sampler& sampler, const PixelFilter& filter, int work) {
                  return byVolumeSppm(scene, sampler, filter, MediumDirect::Photons, 1, work);
              }},
-            {"equi-angular", "passes", passes,
+            {"equi-angular in 16 places", "passes", passes,
              [](const Scene& scene, const Sampler& sampler, const PixelFilter& filter, int work) {
-                 return byVolumeSppm(scene, sampler, filter, MediumDirect::EquiAngular, 1, work);
+                 return byVolumeSppm(scene, sampler, filter, MediumDirect::EquiAngular, 16, work);
              }},
             {"path tracing by free flight", "passes", passes,
              [](const Scene& scene, const Sampler& sampler, const PixelFilter& filter, int work) {
