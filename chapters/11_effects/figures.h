@@ -5,6 +5,19 @@
 /// The chapter's figures, each drawn by one function; main.cpp is their table of contents.
 namespace caustic {
 
+/// Four balls in an even glow and in a hall, and under a small sun by even directions and by brightness:
+/// environment.png.
+void drawEnvironment(FigureContext& context);
+
+/// An image on a board and a ball, nearest and bilinear, and one that shines: textures.png.
+void drawTextures(FigureContext& context);
+
+/// A ball smooth, hammered by nearest and bilinear normals, and with normals that aren't bent: normals.png.
+void drawNormals(FigureContext& context);
+
+/// A cup smooth and fluted by a raw and a smoothed map, and their caustics: cup.png.
+void drawCup(FigureContext& context);
+
 /// The same still life by three lenses, focused on its middle: depth_of_field.png.
 void drawDepthOfField(FigureContext& context);
 
