@@ -30,4 +30,16 @@ void drawCup(const ChapterInputs& chapter, FigureContext& context);
 /// Where each rule sends the same number of paths: rules.png.
 void drawRules(FigureContext& context);
 
+/// What each adaptive rule gains over uniform sampling: adaptive.csv and .png.
+void chartAdaptive(ChapterRuns& runs, FigureContext& context);
+
+/// Light from a lamp by four densities: importance.png.
+void drawImportance(FigureContext& context);
+
+/// Where each method breaks, counted: failure.csv and .png.
+void chartFailures(FigureContext& context);
+
+/// What the lesson states beyond the charts: quantity.csv.
+void tabulateQuantities(ChapterRuns& runs, FigureContext& context);
+
 }  // namespace caustic

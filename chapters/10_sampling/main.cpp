@@ -18,8 +18,12 @@ int main(int argc, char** argv) {
                           {"samplers", drawSamplers},
                           {"emission", drawEmission},
                           {"spectrum", chartSpectrum},
+                          {"importance", drawImportance},
+                          {"adaptive", shared(chartAdaptive), true},
                           {"speed_accuracy", shared(chartSpeedAccuracy), true},
                           {"convergence", shared(chartConvergence)},
+                          {"failure", chartFailures},
+                          {"quantity", shared(tabulateQuantities), true},
                       },
                       {
                           {.argument = {"--recalibrate", "PART",

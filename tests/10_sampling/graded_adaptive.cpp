@@ -1,9 +1,10 @@
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <set>
+#include <sstream>
 
 #include "camera/box_filter.h"
 #include "camera/pinhole_camera.h"
@@ -51,7 +52,10 @@ std::vector<Real> wants(const std::map<std::size_t, Real>& some) {
 }
 
 struct Case {
-    Scene scene{{{}, {}, Color::Zero(), std::make_shared<PinholeCamera>(Vec3::Zero(), Vec3::UnitZ(), Vec3::UnitY(), 1, width, height)}};
+    Scene scene{{{},
+                 {},
+                 Color::Zero(),
+                 std::make_shared<PinholeCamera>(Vec3::Zero(), Vec3::UnitZ(), Vec3::UnitY(), 1, width, height)}};
     IndependentSampler sampler{1};
     BoxFilter filter;
     Synthetic inner{scene, sampler, filter};
@@ -61,14 +65,18 @@ struct Case {
     Case(const std::map<std::size_t, Real>& some, const AdaptiveSettings& settings)
         : rule(wants(some)), adaptive(inner, sampler, rule, settings) {}
 
-    // Runs a pass and says which paths it had.
-    std::vector<PathId> pass() {
-        std::vector<PathId> paths = adaptive.next();
-        last = adaptive.runPass({number++, paths}, 1);
-        return paths;
+    // As if each pixel had had so many paths, in a batch each.
+    void start(const std::vector<std::int64_t>& given) {
+        std::stringstream file;
+        ByteWriter to(file);
+        for (const std::int64_t count : given) {
+            to.put(std::array{count, count});
+            to.put(std::array<Real, 6>{1, 2, 3, 1, 1, 1});
+        }
+        ByteReader from(file, "a test");
+        adaptive.load(from);
     }
-    std::int64_t number = 0;
-    Rendering last{Film(width, height), {}, 0, 0};
+    void start(std::int64_t given) { start(std::vector<std::int64_t>(pixels, given)); }
 };
 
 std::map<std::size_t, std::int64_t> countsOf(const std::vector<PathId>& paths) {
@@ -80,115 +88,131 @@ std::map<std::size_t, std::int64_t> countsOf(const std::vector<PathId>& paths) {
 // All pixels first, in batches; nobody asks the rule before.
 TEST(AdaptiveLoop, GivesEachPixelTheFirstPaths) {
     Case one({{7, 1}}, {.batch = 4, .first = 10, .spread = 0});
-    for (int pass = 0; pass < 3; ++pass) {
-        const auto counts = countsOf(one.pass());
-        ASSERT_EQ(counts.size(), pixels) << "pass " << pass << ": 10 paths are three batches of 4.";
+    for (const std::int64_t given : {0, 4, 8}) {
+        one.start(given);
+        const auto counts = countsOf(one.adaptive.next());
+        ASSERT_EQ(counts.size(), pixels) << given << " so far: 10 paths are three batches of 4.";
         for (const auto& [place, count] : counts) ASSERT_EQ(count, 4);
     }
-    EXPECT_EQ(countsOf(one.pass()), (std::map<std::size_t, std::int64_t>{{7, 4}})) << "Then the rule has its say.";
+    one.start(12);
+    EXPECT_EQ(countsOf(one.adaptive.next()), (std::map<std::size_t, std::int64_t>{{7, 4}}))
+        << "Then the rule has its say.";
 }
 
 // The paths of a pixel are numbered through, and a pixel's stand together: no number twice, none left out.
 TEST(AdaptiveLoop, NumbersPathsThrough) {
-    Case one({{7, 1}, {23, 5}, {59, 2}}, {.batch = 3, .first = 3, .share = 0.04, .spread = 0});
+    Case one({{7, 1}, {23, 5}, {59, 2}}, {.batch = 3, .first = 3, .share = 1, .spread = 0});
+    std::vector<std::int64_t> given(pixels, 3);
+    given[7] = 12;
+    given[59] = 30;
+    one.start(given);
     std::map<std::size_t, std::vector<std::int64_t>> indices;
-    for (int pass = 0; pass < 9; ++pass) {
-        std::set<std::size_t> ended;
-        std::size_t current = pixels;
-        for (const PathId& path : one.pass()) {
-            const std::size_t place = placeOf(path.pixel);
-            if (place != current) {
-                ASSERT_TRUE(ended.insert(place).second) << "A pixel's paths stand together.";
-            }
-            current = place;
-            indices[place].push_back(path.index);
+    std::size_t before = pixels;
+    for (const PathId& path : one.adaptive.next()) {
+        const std::size_t place = placeOf(path.pixel);
+        if (place != before) {
+            ASSERT_EQ(indices.count(place), 0U) << "A pixel's paths stand together.";
         }
+        before = place;
+        indices[place].push_back(path.index);
     }
-    for (const auto& [place, own] : indices) {
-        for (std::size_t i = 0; i < own.size(); ++i)
-            ASSERT_EQ(own[i], static_cast<std::int64_t>(i)) << "pixel " << place << ": the same path again is no news.";
-    }
+    EXPECT_EQ(indices[7], (std::vector<std::int64_t>{12, 13, 14})) << "The same path again is no news.";
+    EXPECT_EQ(indices[23], (std::vector<std::int64_t>{3, 4, 5}));
+    EXPECT_EQ(indices[59], (std::vector<std::int64_t>{30, 31, 32}));
 }
 
 // Of those that want paths, the share that wants them most; those that don't want any get none.
 TEST(AdaptiveLoop, TakesThoseThatWantItMost) {
     const std::map<std::size_t, Real> some = {{3, 0.5}, {9, 7}, {17, 1e-3}, {31, 2}, {44, 7}, {58, 1e9}};
     Case one(some, {.batch = 2, .first = 2, .share = 0.05, .spread = 0});
-    one.pass();
-    const auto counts = countsOf(one.pass());
-    EXPECT_EQ(counts, (std::map<std::size_t, std::int64_t>{{9, 2}, {44, 2}, {58, 2}})) << "3 of 60 pixels.";
-    Case all(some, {.batch = 2, .first = 2, .share = 1, .spread = 0});
-    all.pass();
-    EXPECT_EQ(countsOf(all.pass()).size(), some.size()) << "Who wants 0 gets none, even if there is room.";
+    one.start(2);
+    EXPECT_EQ(countsOf(one.adaptive.next()), (std::map<std::size_t, std::int64_t>{{9, 2}, {44, 2}, {58, 2}}))
+        << "3 of 60 pixels.";
+    Case whole(some, {.batch = 2, .first = 2, .share = 1, .spread = 0});
+    whole.start(2);
+    EXPECT_EQ(countsOf(whole.adaptive.next()).size(), some.size()) << "Who wants 0 gets none, even if there is room.";
     Case none({}, {.batch = 2, .first = 2, .share = 1});
-    none.pass();
+    none.start(2);
     EXPECT_TRUE(none.adaptive.next().empty()) << "Nobody wants any: the end.";
 }
 
 // Around one that wants paths its neighbours get them, too, over no border of the picture.
 TEST(AdaptiveLoop, SpreadsToNeighbours) {
     Case one({{10, 3}}, {.batch = 1, .first = 1, .share = 1, .spread = 1});
-    one.pass();
+    one.start(1);
     std::set<std::size_t> chosen;
-    for (const auto& [place, count] : countsOf(one.pass())) chosen.insert(place);
+    for (const auto& [place, count] : countsOf(one.adaptive.next())) chosen.insert(place);
     EXPECT_EQ(chosen, (std::set<std::size_t>{0, 1, 10, 11, 20, 21}));
 }
 
 // Limits: of a pixel, and of the picture.
 TEST(AdaptiveLoop, KeepsItsLimits) {
     Case one({{7, 1}, {8, 9}}, {.batch = 4, .first = 8, .most = 17, .share = 1, .spread = 0});
-    for (int pass = 0; pass < 9; ++pass) one.pass();
-    EXPECT_EQ(one.adaptive.paths({7, 0}), 16) << "Another batch would be more than the most.";
-    EXPECT_TRUE(one.adaptive.next().empty());
+    std::vector<std::int64_t> given(pixels, 8);
+    given[7] = 16;
+    given[8] = 13;
+    one.start(given);
+    EXPECT_EQ(countsOf(one.adaptive.next()), (std::map<std::size_t, std::int64_t>{{8, 4}}))
+        << "Another batch would be more than the most; or just the most.";
     Case whole({{7, 1}, {8, 9}, {9, 4}}, {.batch = 2, .first = 2, .paths = 2 * pixels + 5, .share = 1, .spread = 0});
-    while (!whole.adaptive.next().empty()) whole.pass();
-    EXPECT_EQ(whole.adaptive.paths(), static_cast<std::int64_t>(2 * pixels + 4));
-    EXPECT_EQ(whole.adaptive.paths({8, 0}), 4) << "Paths that are left go to who wants them most.";
-    EXPECT_EQ(whole.adaptive.paths({7, 0}), 2);
+    whole.start(2);
+    EXPECT_EQ(whole.adaptive.next().size(), 4U) << "Five paths are left: two batches.";
 }
 
-// Each batch is entered once, as the mean of its paths; the film has all of them.
+std::vector<PathId> pathsOf(const std::vector<Pixel>& some, std::int64_t first, int batch) {
+    std::vector<PathId> paths;
+    for (const Pixel pixel : some) {
+        for (int k = 0; k < batch; ++k) paths.push_back({pixel, first + k});
+    }
+    return paths;
+}
+
+// Each batch is entered as the mean of its paths; the film has all of them.
 TEST(AdaptivePass, EntersTheMeanOfEachBatch) {
-    Case one({{12, 1}}, {.batch = 3, .first = 6, .share = 1, .spread = 0});
+    Case one({}, {.batch = 3});
     Film film(width, height);
-    for (int pass = 0; pass < 4; ++pass) {
-        one.pass();
-        film.merge(one.last.film);
+    const std::vector<Pixel> some = {{2, 1}, {3, 1}, {3, 4}};
+    RayCounts counts;
+    for (std::int64_t pass = 0; pass < 4; ++pass) {
+        const auto paths = pathsOf(some, 3 * pass, 3);
+        const Rendering rendering = one.adaptive.runPass({pass, paths}, 1);
+        film.merge(rendering.film);
+        counts += rendering.counts;
     }
-    for (const Pixel pixel : {Pixel{2, 1}, Pixel{3, 4}}) {
-        const std::int64_t paths = pixel == Pixel{2, 1} ? 12 : 6;
-        PixelEstimate expected;
-        for (std::int64_t first = 0; first < paths; first += 3) {
-            Color sum = Color::Zero();
-            for (std::int64_t i = first; i < first + 3; ++i) sum += Synthetic::value({pixel, i});
-            expected.add(sum / 3);
+    for (const Pixel pixel : some) {
+        Color mean = Color::Zero();
+        std::vector<Color> batches;
+        for (std::int64_t first = 0; first < 12; first += 3) {
+            batches.push_back(Color::Zero());
+            for (std::int64_t i = first; i < first + 3; ++i) batches.back() += Synthetic::value({pixel, i}) / 3;
+            mean += batches.back() / 4;
         }
+        Color squares = Color::Zero();
+        for (const Color& batch : batches) squares += (batch - mean).square();
         const PixelEstimate& found = one.adaptive.estimates()[placeOf(pixel)];
-        EXPECT_EQ(found.batches, expected.batches) << "Once for each batch, not for each path.";
-        EXPECT_LE((found.mean - expected.mean).abs().maxCoeff(), 1e-12);
-        EXPECT_LE((found.squares - expected.squares).abs().maxCoeff(), 1e-12);
-        EXPECT_EQ(one.adaptive.paths(pixel), paths);
-        EXPECT_EQ(film.samples(pixel), paths);
-        EXPECT_LE((film.value(pixel) - expected.mean).abs().maxCoeff(), 1e-12);
+        EXPECT_EQ(found.batches, 4) << "Once for each batch, not for each path.";
+        EXPECT_LE((found.mean - mean).abs().maxCoeff(), 1e-12) << "The mean of the batch, not its sum?";
+        EXPECT_LE((found.squares - squares).abs().maxCoeff(), 1e-12);
+        EXPECT_EQ(film.samples(pixel), 12);
+        EXPECT_LE((film.value(pixel) - mean).abs().maxCoeff(), 1e-12);
     }
-    EXPECT_EQ(one.last.counts.rays, 3) << "What the method has done in the scene is told.";
+    EXPECT_EQ(one.adaptive.estimates()[0].batches, 0) << "A pixel without paths learns nothing.";
+    EXPECT_EQ(counts.rays, 36) << "What the method has done in the scene is told.";
 }
 
 // Apart: every other pass decides and isn't shown; what is shown decides nothing.
 TEST(AdaptivePass, DecidesApartFromWhatCounts) {
-    Case one({{12, 1}}, {.batch = 2, .first = 4, .share = 1, .spread = 0, .apart = true});
+    Case one({}, {.batch = 2, .apart = true});
     const Pixel pixel = {2, 1};
-    std::int64_t shown = 0;
-    for (int pass = 0; pass < 6; ++pass) {
+    for (std::int64_t pass = 0; pass < 6; ++pass) {
         const std::int64_t before = one.adaptive.estimates()[placeOf(pixel)].batches;
-        one.pass();
+        const auto paths = pathsOf({pixel}, 2 * pass, 2);
+        const Rendering rendering = one.adaptive.runPass({pass, paths}, 1);
         const bool decides = pass % 2 == 0;
         EXPECT_EQ(one.adaptive.estimates()[placeOf(pixel)].batches - before, decides ? 1 : 0) << "pass " << pass;
-        EXPECT_EQ(one.last.film.samples(pixel), decides ? 0 : 2) << "pass " << pass;
-        EXPECT_EQ(one.last.counts.rays > 0, true) << "It costs, shown or not.";
-        shown += one.last.film.samples(pixel);
+        EXPECT_EQ(rendering.film.samples(pixel), decides ? 0 : 2) << "pass " << pass;
+        EXPECT_EQ(rendering.counts.rays, 2) << "It costs, shown or not.";
     }
-    EXPECT_EQ(shown, 6);
     EXPECT_EQ(one.adaptive.paths(pixel), 12) << "All paths are numbered, shown or not.";
 }
 

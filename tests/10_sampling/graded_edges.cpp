@@ -9,11 +9,10 @@ constexpr int width = 12;
 constexpr int height = 7;
 
 // Left of column 6 one colour, right of it another one.
-PixelEstimates step(const Color& left, const Color& right, int batches = 1) {
+PixelEstimates step(const Color& left, const Color& right) {
     PixelEstimates estimates(width, height);
-    for (std::size_t i = 0; i < estimates.size(); ++i) {
-        for (int k = 0; k < batches; ++k) estimates[i].add(i % width < 6 ? left : right);
-    }
+    for (std::size_t i = 0; i < estimates.size(); ++i)
+        estimates[i] = {1, i % width < 6 ? left : right, Color::Zero()};
     return estimates;
 }
 
@@ -54,7 +53,7 @@ TEST(EdgeRule, AsksForSteepEdgesWithFewPathsFirst) {
     PixelEstimates estimates = step(Color::Ones(), Color(2, 2, 2));
     const EdgeRule rule(0.02);
     const std::vector<Real> before = rule.wanted(estimates);
-    for (int k = 0; k < 9; ++k) estimates[3 * width + 5].add(Color::Ones());
+    estimates[3 * width + 5].batches = 10;
     const std::vector<Real> after = rule.wanted(estimates);
     EXPECT_NEAR(after[3 * width + 5] / after[2 * width + 5], 0.1, 1e-3) << "It has ten times the batches.";
     const std::vector<Real> steeper = rule.wanted(step(Color::Ones(), Color(6, 6, 6)));

@@ -4,11 +4,8 @@
 #include <set>
 
 #include "integrator/path_hash.h"
-#include "material/diffuse_material.h"
-#include "material/dielectric_material.h"
 #include "material/mirror_material.h"
 #include "modeler/objects.h"
-#include "shape/sphere.h"
 
 namespace caustic {
 namespace {
@@ -72,23 +69,15 @@ TEST(PathHash, GoesOnOverMirrorsAndThroughGlass) {
 // The side from which an object is met, and the order in which objects are.
 TEST(PathHash, TellsSidesAndOrderApart) {
     SceneDescription description;
-    const auto ball = [&](Real x, bool mirror) {
-        SceneObject one = {.shape = std::make_shared<Sphere>(Vec3(x, 0, 0), 1.0)};
-        if (mirror) {
-            one.material = std::make_shared<MirrorMaterial>(Color::Ones());
-        } else {
-            one.material = std::make_shared<DiffuseMaterial>(Color(0.5, 0.2, 0.1));
-        }
-        return one;
-    };
-    description.objects = {ball(0, false)};
+    description.objects = {diffuseRectangle({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}, Color(0.5, 0.2, 0.1))};
+    description.objects[0].material = std::make_shared<MirrorMaterial>(Color::Ones());
     const Scene alone(description);
     RayCounts counts;
-    EXPECT_NE(pathHash(alone, {Vec3(0, 0, 0), Vec3::UnitX()}, 9, counts),
-              pathHash(alone, {Vec3(-3, 0, 0), Vec3::UnitX()}, 9, counts))
-        << "From inside it is another sight than from outside.";
+    EXPECT_NE(pathHash(alone, {Vec3(0.1, 0.2, 3), -Vec3::UnitZ()}, 9, counts),
+              pathHash(alone, {Vec3(0.1, 0.2, -3), Vec3::UnitZ()}, 9, counts))
+        << "From behind it is another sight.";
     // Between two mirrors that face each other: first one or first the other, as many times each.
-    description.objects = {ball(-2, true), ball(2, true)};
+    description.objects = {mirrorBall({-2, 0, 0}, 1), mirrorBall({2, 0, 0}, 1)};
     const Scene between(description);
     EXPECT_NE(pathHash(between, {Vec3(0, 0, 0), Vec3::UnitX()}, 2, counts),
               pathHash(between, {Vec3(0, 0, 0), -Vec3::UnitX()}, 2, counts))

@@ -43,10 +43,10 @@ void drawStudy(const std::string& name, int shownWidth, const ChapterInputs& cha
     requireFinite(rendering);
     context.progress().advance(progressSteps);
     const Real mean = static_cast<Real>(adaptive.paths()) / static_cast<Real>(adaptive.estimates().size());
-    show(1, "adaptive, in the same time: " + std::to_string(std::lround(mean)),
+    show(1, "adaptive, in the same time: " + std::to_string(std::lround(mean)) + " on average",
          toneMapped(developed(adaptive, rendering), what.tone.exposure, what.tone.white));
-    const auto least = static_cast<Real>(work.settings.first);
-    const auto most = static_cast<Real>(work.settings.most);
+    constexpr Real least = 16;
+    constexpr Real most = 1024;
     show(2, "its paths", heatMap(adaptive, least, most));
     const int scale = shownWidth - 140;
     drawHeatScale(drawing, Vec2(gap + 3 * (shownWidth + gap) - scale - 40, top + shownHeight + 10), scale, least, most);

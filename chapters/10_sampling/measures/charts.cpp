@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "figure/csv_table.h"
 #include "figures.h"
 
@@ -19,6 +21,18 @@ void chartConvergence(ChapterRuns& runs, FigureContext& context) {
                      "radiance (rms)");
     table.save(context.output("convergence.csv"));
     context.chart("measures/convergence.gp", "convergence.png");
+}
+
+void chartAdaptive(ChapterRuns& runs, FigureContext& context) {
+    CsvTable table({"method", "setting", "error", "error_unit", "samples_gain", "samples_gain_error", "time_gain",
+                    "time_gain_error", "worst_gain", "worst_gain_error", "bias", "bias_error", "time", "time_unit"});
+    for (const AdaptivePoint& one : runs.adaptive(context))
+        table.addRow(one.method, "scene=" + one.scene + ";paths=" + std::to_string(one.paths),
+                     std::sqrt(one.noise.variance.value), "radiance (standard deviation)", one.samplesGain.value,
+                     one.samplesGain.error, one.timeGain.value, one.timeGain.error, one.worstGain.value,
+                     one.worstGain.error, one.bias.value, one.bias.error, one.noise.seconds, "s");
+    table.save(context.output("adaptive.csv"));
+    context.chart("measures/adaptive.gp", "adaptive.png");
 }
 
 }  // namespace caustic

@@ -81,7 +81,6 @@ PhotonPattern::Spectrum PhotonPattern::spectrum() const {
     const int half = width_ / 2;
     std::vector<int> counts(static_cast<std::size_t>(half), 0);
     spectrum.power.assign(static_cast<std::size_t>(half), 0);
-    std::vector<Real> all;
     int low = 0;
     for (int y = 0; y < width_; ++y) {
         for (int x = 0; x <= half; ++x) {
@@ -89,7 +88,6 @@ PhotonPattern::Spectrum PhotonPattern::spectrum() const {
             const auto wave = waves.at<cv::Vec2d>(y, x);
             const Real power = (wave[0] * wave[0] + wave[1] * wave[1]) / noise;
             if (frequency < 1 || frequency >= half) continue;
-            all.push_back(power);
             const auto ring = static_cast<std::size_t>(frequency);
             spectrum.power[ring] += power;
             ++counts[ring];
@@ -101,9 +99,7 @@ PhotonPattern::Spectrum PhotonPattern::spectrum() const {
     }
     spectrum.low /= low;
     for (std::size_t i = 1; i < counts.size(); ++i) spectrum.power[i] /= counts[i];
-    spectrum.peak = *std::ranges::max_element(all);
-    std::ranges::nth_element(all, all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2));
-    spectrum.background = all[all.size() / 2];
+    spectrum.peak = *std::max_element(spectrum.power.begin() + 4, spectrum.power.end());
     return spectrum;
 }
 

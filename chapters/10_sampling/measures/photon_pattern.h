@@ -29,8 +29,7 @@ public:
     /// is 1 on average at each frequency. A window takes the disc's edge away.
     struct Spectrum {
         std::vector<Real> power;      ///< mean over the ring of each frequency, in periods across the picture: from 0
-        Real peak = 0;                ///< the largest value at any frequency and direction
-        Real background = 0;          ///< the median
+        Real peak = 0;                ///< the largest of these, from 4 periods on: a pattern, where it is far above 1
         Real low = 0;                 ///< mean power of 1 to lowest periods across the picture
     };
     /// Periods across the picture that count as low: blobs of a sixteenth of it and larger.

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "measures/adaptive_points.h"
 #include "measures/sampler_points.h"
 
 namespace caustic {
@@ -16,7 +17,14 @@ public:
         return *samplers_;
     }
 
+    /// Adaptive beside uniform sampling; made once and kept.
+    const std::vector<AdaptivePoint>& adaptive(FigureContext& context) {
+        if (!adaptive_) adaptive_ = adaptivePoints(context);
+        return *adaptive_;
+    }
+
 private:
+    std::optional<std::vector<AdaptivePoint>> adaptive_;
     std::optional<std::vector<SamplerPoint>> samplers_;
 };
 

@@ -9,7 +9,7 @@
 #include "image/picture_error.h"
 #include "integrator/path_tracer.h"
 #include "integrator/render.h"
-#include "measures/smooth_floor.h"
+#include "measures/lit_floor.h"
 #include "modeler/caustic_scene.h"
 #include "sampling/sampler_names.h"
 
@@ -63,7 +63,7 @@ SamplerPoint measured(const Measured& what, const std::string& name, std::int64_
 }  // namespace
 
 std::vector<SamplerPoint> samplerPoints(FigureContext& context) {
-    const SmoothFloor floor(width);
+    const LitFloor floor = LitFloor::under(width);
     const Scene caustic(CausticScene{}.onFloor(width));
     const Image causticTruth = shrunk(loadImage(context.asset("assets/references/caustic_floor.exr")), width);
     std::vector<std::int64_t> few = {16, 64, 256};
@@ -71,7 +71,7 @@ std::vector<SamplerPoint> samplerPoints(FigureContext& context) {
     if (context.quality() == Quality::Report) many.insert(many.end(), {1024, 4096});
     if (context.quality() == Quality::Report) few.push_back(1024);
     const std::vector<Measured> scenes = {
-        {"smooth", &floor.scene(), floor.truth(), {{SmoothFloor::segments, 1}, Direct::DirectLight}, many, 4},
+        {"smooth", &floor.scene(), floor.truth(), {{LitFloor::segments, 1}, Direct::DirectLight}, many, 4},
         {"caustic", &caustic, causticTruth, {{64, 1}, Direct::Mis}, few, 4}};
     struct Job {
         const Measured* scene;

@@ -1,0 +1,10 @@
+#include "failures/failure_kinds.h"
+#include "figures.h"
+
+namespace caustic {
+
+void chartFailures(FigureContext& context) {
+    drawFailureBars(countFailures(samplingFailures(), FailureTrials::of(context, context.byQuality(1000, 4000))), context);
+}
+
+}  // namespace caustic
