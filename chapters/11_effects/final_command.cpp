@@ -33,7 +33,7 @@ VolumeSppmSettings finalSettings(int photons) {
     return settings;
 }
 
-Image developedFinal(const Image& radiance) { return toneMapped(radiance, 1.6, 4); }
+Image developedFinal(const Image& radiance) { return toneMapped(radiance, 1.7, 5); }
 
 void renderFinal(const FinalWishes& wishes, const ChapterInputs& chapter, const ChapterOptions& options) {
     const int width = static_cast<int>(wishes.width);

@@ -41,6 +41,7 @@ SceneDescription flutedCup(std::optional<Lookup> lookup, const std::filesystem::
 
 SceneDescription flutedCupsCaustic(std::optional<Lookup> lookup, const std::filesystem::path& profile, int side) {
     SceneDescription scene = cupOnTable(lookup, profile);
+    scene.lights.pop_back();  // the sky
     scene.camera = std::make_shared<PinholeCamera>(Vec3(0.105, 0.3, 0.085), Vec3(0.105, 0, 0.085), -Vec3::UnitZ(), 0.3,
                                                    side, side);
     return scene;

@@ -15,7 +15,7 @@ namespace caustic {
 /// @throws InputError as loadOutline does
 SceneDescription flutedCup(std::optional<Lookup> lookup, const std::filesystem::path& profile, int width, int height);
 
-/// The same from straight above beside the cup: the table alone, a square with the caustic in it.
+/// The same without the sky, from straight above beside the cup: the table alone, a square with the caustic in it.
 SceneDescription flutedCupsCaustic(std::optional<Lookup> lookup, const std::filesystem::path& profile, int side);
 
 }  // namespace caustic

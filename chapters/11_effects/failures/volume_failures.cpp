@@ -4,10 +4,10 @@
 #include <limits>
 #include <numbers>
 
-#include "integrator/medium_light.h"
-#include "integrator/photon_volume.h"
-#include "integrator/path_tracer.h"
 #include "camera/box_filter.h"
+#include "integrator/medium_light.h"
+#include "integrator/path_tracer.h"
+#include "integrator/photon_volume.h"
 #include "measures/air_light.h"
 #include "medium/henyey_greenstein.h"
 #include "medium/homogeneous_medium.h"
@@ -163,7 +163,8 @@ std::vector<bool> densityZero(Random& random) {
 }  // namespace
 
 std::vector<FailureKind> volumeKinds() {
-    const std::vector<TriedMethod> lamp = {{"64 steps of marching"}, {"64 free flights"}, {"64 equi-angular places", true}};
+    const std::vector<TriedMethod> lamp = {
+        {"64 steps of marching"}, {"64 free flights"}, {"64 equi-angular places", true}};
     return {{"fog: past a lamp", lamp, [](Random& random) { return besideTheLamp(random, 0.1, 0.5); }},
             {"fog: light near the ray", lamp, [](Random& random) { return besideTheLamp(random, 0.001, 0.02); }},
             {"fog: radius of photons", {{"radius 0.6"}, {"radius 0.02"}, {"radius 0.15"}}, radii},

@@ -34,8 +34,8 @@ SceneDescription glassInFog(const std::string& outline, int width, int height) {
     scene.objects.push_back({.shape = std::make_shared<Sphere>(Vec3(0, 0.2, 0), 2), .interior = Interior{1, fog, -1}});
     const Vec3 lamp(-0.34, 0.5, -0.1);
     scene.lights = {std::make_shared<ConeLight>(lamp, Vec3(0, 0.13, 0) - lamp, 0.2, Color(5.2, 4.8, 4.2))};
-    scene.camera = std::make_shared<PinholeCamera>(Vec3(0.1, 0.27, 0.75), Vec3(0.02, 0.15, 0), Vec3::UnitY(), 0.55,
-                                                   width, height);
+    scene.camera =
+        std::make_shared<PinholeCamera>(Vec3(0.1, 0.27, 0.75), Vec3(0.02, 0.15, 0), Vec3::UnitY(), 0.55, width, height);
     return scene;
 }
 
@@ -59,8 +59,7 @@ void drawVolumeLight(FigureContext& context) {
     settings.beamRadius = 6e-3;
     settings.photons = 1 << 17;
     settings.places = 4;
-    saveImage(context.output("volume_light.png"),
-              inFog(scene, settings, context.byQuality(4, 96), {1, 4}, context));
+    saveImage(context.output("volume_light.png"), inFog(scene, settings, context.byQuality(4, 96), {1, 4}, context));
 }
 
 void drawGlow(FigureContext& context) {

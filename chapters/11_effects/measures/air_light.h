@@ -4,8 +4,8 @@
 
 namespace caustic {
 
-/// A point lamp in the midst of a ball of fog, seen from within: of light that is scattered once there is a closed form, up
-/// to an integral of a smooth function.
+/// A point lamp in the midst of a ball of fog, seen from within: of light that is scattered once there is a closed
+/// form, up to an integral of a smooth function.
 struct AirLight {
     Color sigmaA = {0.02, 0.03, 0.05};  ///< absorption coefficient of the fog, 1/m
     Color sigmaS = {0.15, 0.12, 0.1};   ///< scattering coefficient, 1/m
@@ -18,10 +18,10 @@ struct AirLight {
     /// The whole, in a picture of this size; the lamp is in the middle.
     SceneDescription scene(int width, int height) const;
 
-    /// Radiance that comes along a ray from the eye to the rim of the fog of what is scattered once, W/(m²·sr): over the
-    /// angle seen from the lamp, by Gauss's rule. It shares nothing with what renders.
-    /// Source: Sun, Ramamoorthi, Narasimhan, Nayar 2005, A Practical Analytic Single Scattering Model for Real Time
-    /// Rendering, ACM TOG 24(3), eqs. 8 and 10.
+    /// Radiance that comes along a ray from the eye to the rim of the fog of what is scattered once, W/(m²·sr): over
+    /// the angle seen from the lamp, by Gauss's rule. It shares nothing with what renders. Source: Sun, Ramamoorthi,
+    /// Narasimhan, Nayar 2005, A Practical Analytic Single Scattering Model for Real Time Rendering, ACM TOG 24(3),
+    /// eqs. 8 and 10.
     /// @param direction  unit; not straight to the lamp
     Color scatteredOnce(const Vec3& direction) const;
 };

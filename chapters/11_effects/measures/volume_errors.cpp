@@ -109,7 +109,8 @@ void addVolumeErrors(CsvTable& table, FigureContext& context) {
         const BoxFilter filter;
         for (const int work : method.work) {
             const Rendering rendering = method.take(scene, sampler, filter, work);
-            rows[static_cast<std::size_t>(item)].emplace_back(rendering.seconds, shareOff(rendering.film.image(), truth));
+            rows[static_cast<std::size_t>(item)].emplace_back(rendering.seconds,
+                                                              shareOff(rendering.film.image(), truth));
         }
     });
     for (std::size_t i = 0; i < all.size(); ++i) {

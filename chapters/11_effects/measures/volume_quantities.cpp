@@ -29,7 +29,8 @@ void addAirLight(CsvTable& table, FigureContext& context) {
         Color passed;
         RayCounts counts;
         scene.follow(ray, media, passed, spans, counts);
-        const Color found = scatteredEquiAngular(scene, lights, spans.front(), 20'000, 0, sampler.start(0, {0, 0}, 0), counts);
+        const Color found =
+            scatteredEquiAngular(scene, lights, spans.front(), 20'000, 0, sampler.start(0, {0, 0}, 0), counts);
         largest = std::max(largest, (found / light.scatteredOnce(ray.direction) - 1).abs().maxCoeff());
     }
     table.addRow("equi-angular", "air-light: largest deviation", 100 * largest, "%", "the closed form; at most 1");
@@ -65,8 +66,12 @@ void addBeamTree(CsvTable& table, FigureContext& context) {
         for (std::uint32_t i = 0; i < points.size(); ++i) found += beam.holds(beam.nearest(i, points[i]));
         keep(found);
     };
-    const std::vector<double> times =
-        medianNanoseconds({[&] { byTree(); keep(found); }, byBruteForce}, {.rounds = 7, .secondsPerBatch = 2e-3});
+    const std::vector<double> times = medianNanoseconds({[&] {
+                                                             byTree();
+                                                             keep(found);
+                                                         },
+                                                         byBruteForce},
+                                                        {.rounds = 7, .secondsPerBatch = 2e-3});
     table.addRow("beam tree", photons + "time", times[0] / 16e3, "µs a ray", "");
     table.addRow("brute force", photons + "time", times[1] / 1e3, "µs a ray", "");
     table.addRow("beam tree", photons + "faster than brute force", 16 * times[1] / times[0], "times", "at least 50");
