@@ -42,7 +42,7 @@ std::string nameOf(SkyChoice choice) {
         case SkyChoice::Both:
             break;
     }
-    return "sky: both, weighed";
+    return "sky: both weighed";
 }
 
 Real irradiance(const Light& map, const Vec3& normal, SkyChoice choice, int samples, Random& random) {

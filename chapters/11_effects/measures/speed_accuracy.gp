@@ -6,8 +6,8 @@ set multiplot layout 1,3 title "What light in fog, from a sky and through a lens
 set datafile missing NaN
 set logscale xy
 set format xy "10^{%L}"
-set key at graph 0.5,-0.2 center top Left reverse noenhanced maxrows 5
-set bmargin 11
+set key at graph 0.5,-0.17 center top Left reverse noenhanced maxrows 5
+set bmargin 12
 
 array fog[4] = ["fog: ray marching", "fog: photons along the ray", "fog: equi-angular in 16 places", "fog: path tracing by free flight"]
 set title "light that fog scatters once around a lamp" font ",16"
@@ -15,7 +15,7 @@ set xlabel "time, s"
 set ylabel "error, share of the radiance, rms"
 plot for [m=1:4] file using (is(fog[m], $3)):5 with linespoints lt m lw 2.2 ps 1.4 title fog[m]
 
-array sky[4] = ["sky: even directions", "sky: by the surface's cosine", "sky: by brightness", "sky: both, weighed"]
+array sky[4] = ["sky: even directions", "sky: by the surface's cosine", "sky: by brightness", "sky: both weighed"]
 set title "irradiance of a sky with a sun of one pixel" font ",16"
 set xlabel "time, µs"
 set ylabel "error, share of the irradiance, rms"
