@@ -1,11 +1,15 @@
+#include <string>
+
 #include "chapter_inputs.h"
 #include "figure/chapter.h"
 #include "figures.h"
 #include "final_command.h"
+#include "scene_command.h"
 
 int main(int argc, char** argv) {
     using namespace caustic;
     FinalWishes wishes;
+    std::string scene;
     return runChapter(
         thisChapter, argc, argv,
         {
@@ -31,5 +35,9 @@ int main(int argc, char** argv) {
                           TextValue{&wishes.checkpoint}},
                          {"--every", "N", "Passes between two checkpoints",
                           RangedValue<std::int64_t>{&wishes.every, 1, 1'000'000}}}},
+            {.argument = {"--scene", "FILE", "Render a scene of your own (docs/scenes.md)", TextValue{&scene}},
+             .run = [&](const ChapterOptions& options) { renderOwnScene(scene, thisChapter, options); },
+             .uses = {"--out", "--threads", "--seed"},
+             .options = {}},
         });
 }
