@@ -30,10 +30,11 @@ VolumeSppmSettings finalSettings(int photons) {
     settings.radius = 0.006;
     settings.beamRadius = 0.01;
     settings.photons = photons;
+    settings.places = 2;
     return settings;
 }
 
-Image developedFinal(const Image& radiance) { return toneMapped(radiance, 1.7, 5); }
+Image developedFinal(const Image& radiance) { return toneMapped(radiance, 2, 6); }
 
 void renderFinal(const FinalWishes& wishes, const ChapterInputs& chapter, const ChapterOptions& options) {
     const int width = static_cast<int>(wishes.width);

@@ -12,10 +12,10 @@ namespace caustic {
 /// What --final was told.
 struct FinalWishes {
     std::int64_t width = 1600;       ///< of the picture; it is five eighths as high
-    std::int64_t passes = 100;       ///< in all
-    std::int64_t photons = 1 << 18;  ///< a pass
+    std::int64_t passes = 40;        ///< in all
+    std::int64_t photons = 1 << 19;  ///< a pass
     std::string checkpoint;          ///< file to go on from, when it is there, and to write to; empty for none
-    std::int64_t every = 10;         ///< passes between two checkpoints
+    std::int64_t every = 4;          ///< passes between two checkpoints
 };
 
 /// Renders the course's final picture to `<out>/11_effects/final.png`, pass by pass. With a checkpoint file it goes on

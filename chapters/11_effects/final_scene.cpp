@@ -65,7 +65,7 @@ void addGlassOfWine(SceneDescription& scene, bool normals, const FindAsset& asse
     const Transform place = Transform::translation({-0.13, clearance, 0.02});
     std::vector<SceneObject> parts = glass.objects();
     // Flutes around the lower half of the bowl: where u is between the stem and the widest part, outside.
-    if (normals) parts.front().shape = dented(parts.front().shape, flutedPattern(512, 1536, 24, 0.46, 0.66, 0.22));
+    if (normals) parts.front().shape = dented(parts.front().shape, flutedPattern(512, 1536, 24, 0.47, 0.63, 0.25));
     for (SceneObject& one : parts) {
         one.shape = placed(one.shape, place);
         scene.objects.push_back(one);
@@ -79,7 +79,7 @@ void addTeapot(SceneDescription& scene, bool normals, const FindAsset& asset) {
     const Transform place = Transform::translation({0.09, clearance, -0.24}) *
                             Transform::rotation(Vec3::UnitY(), 0.45) * Transform::scaling(Vec3::Constant(scale)) *
                             upright;
-    if (normals) pot = dented(pot, hammeredPattern(512, 9, 0.03, 3));
+    if (normals) pot = dented(pot, hammeredPattern(512, 5, 0.03, 3), Vec2(2, 1));
     scene.objects.push_back({placed(pot, place), std::make_shared<ConductorMaterial>(Metal::copper())});
 }
 
@@ -153,17 +153,17 @@ SceneDescription finalScene(const FinalParts& parts, const FindAsset& asset, int
     addWindow(scene, parts.textures);
     addSky(scene, parts.environment, asset);
     const Vec3 spot(-0.42, 0.62, -0.5);
-    const auto lamp = std::make_shared<ConeLight>(spot, Vec3(-0.02, 0.04, 0.02) - spot, 0.3, Color(3.6, 3.0, 2.2));
+    const auto lamp = std::make_shared<ConeLight>(spot, Vec3(-0.02, 0.04, 0.02) - spot, 0.3, Color(3.0, 2.7, 2.25));
     scene.lights.push_back(std::make_shared<ChosenAs>(lamp, 4));
     if (parts.fog) {
-        const auto haze = std::make_shared<HomogeneousMedium>(Color::Zero(), Color::Constant(0.05),
-                                                              std::make_shared<HenyeyGreenstein>(0.3));
-        scene.objects.push_back({std::make_shared<Box>(Vec3(-1.4, -0.2, -0.7), Vec3(1.4, 1.2, 1.6)), nullptr,
+        const auto haze = std::make_shared<HomogeneousMedium>(Color::Zero(), Color::Constant(0.06),
+                                                              std::make_shared<HenyeyGreenstein>(0.6));
+        scene.objects.push_back({std::make_shared<Box>(Vec3(-0.62, 0.002, -0.62), Vec3(0.13, 0.7, 0.15)), nullptr,
                                  Interior{1, haze, fogPriority}});
     }
     const Vec3 eye(0.02, 0.25, 1.0);
-    const Vec3 target(0.02, 0.1, 0);
-    scene.camera = std::make_shared<ThinLensCamera>(eye, target, Vec3::UnitY(), 0.3, width, height,
+    const Vec3 target(0.02, 0.088, 0);
+    scene.camera = std::make_shared<ThinLensCamera>(eye, target, Vec3::UnitY(), 0.325, width, height,
                                                     parts.lens ? 0.008 : 0, (Vec3(0, 0.08, 0.04) - eye).norm());
     return scene;
 }

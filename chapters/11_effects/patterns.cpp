@@ -50,7 +50,7 @@ Real cloud(Real u, Real v, int across, int along, std::uint64_t seed) {
 Image woodPattern(int width, int height, std::uint64_t seed) {
     constexpr int planks = 4;
     const Color dark(0.05, 0.02, 0.008);
-    const Color light(0.36, 0.18, 0.075);
+    const Color light(0.33, 0.18, 0.085);
     Image image(width, height);
     for (int y = 0; y < height; ++y) {
         const Real across = (y + 0.5) / height * planks;
@@ -66,7 +66,7 @@ Image woodPattern(int width, int height, std::uint64_t seed) {
             const Real fibre = cloud(u, inPlank, 12, 160, own + 50);
             const Real pores = std::pow(cloud(u, inPlank, 40, 300, own + 60), 4);
             const Real mix =
-                std::clamp(0.30 + tone + 0.38 * ring * bend + 0.55 * (fibre - 0.45) - 1.1 * pores, 0.0, 1.0);
+                std::clamp(0.12 + tone + 0.5 * ring * (0.5 + bend) + 0.6 * (fibre - 0.45) - 1.2 * pores, 0.0, 1.0);
             const Real edge = std::min(inPlank, 1 - inPlank) * height / planks;
             const Real gap = edge < 2.5 ? 0.25 + 0.3 * edge : 1;
             image.set(x, y, std::min(gap, 1.0) * (dark + mix * (light - dark)));

@@ -52,8 +52,7 @@ const std::vector<JsonKind<std::shared_ptr<Light>>>& lightKinds() {
          [](const JsonPlace& place) {
              const Vec3 position = place["position"].vector();
              return std::make_shared<ConeLight>(position, place["target"].vector() - position,
-                                                place["halfAngle"].number(0, 180) * degree,
-                                                place["intensity"].color());
+                                                place["halfAngle"].number(0, 180) * degree, place["intensity"].color());
          }},
         {"environment", {"radiance", "file", "scale"}, [](const JsonPlace& place) -> std::shared_ptr<Light> {
              const auto file = place.find("file");

@@ -27,7 +27,8 @@ struct SceneFile {
 };
 
 /// Reads a scene from a JSON file. Files that it names are looked for from its folder.
-/// @throws InputError with file and JSON pointer, for anything that isn't as docs/scene.schema.json has it, that is out of
+/// @throws InputError with file and JSON pointer, for anything that isn't as docs/scene.schema.json has it, that is out
+/// of
 ///         its range, or that a named file is wrong with
 SceneFile loadScene(const std::string& file);
 

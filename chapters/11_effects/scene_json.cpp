@@ -131,8 +131,8 @@ JsonPlace JsonPlace::child(const Json& value, const std::string& step) const {
     return {std::shared_ptr<const Json>(value_, &value), file_, pointer_ + "/" + escaped(step)};
 }
 
-// What an object complains of has no file: its place is the name of an argument. What a file of its own is wrong with says
-// so itself, with its line.
+// What an object complains of has no file: its place is the name of an argument. What a file of its own is wrong with
+// says so itself, with its line.
 void JsonPlace::rethrow(const InputError& error) const {
     const std::string& place = error.place().file;
     if (place.rfind(file_ + "#", 0) == 0 || error.place().line > 0 || place.find_first_of("./\\") != std::string::npos)

@@ -13,8 +13,8 @@
 
 namespace caustic {
 
-/// A value in a JSON file, which knows where it stands: errors say the file and the value's JSON pointer (RFC 6901), as in
-/// "scene.json#/objects/2/shape/radius". A value; the file's text stays alive with it.
+/// A value in a JSON file, which knows where it stands: errors say the file and the value's JSON pointer (RFC 6901), as
+/// in "scene.json#/objects/2/shape/radius". A value; the file's text stays alive with it.
 class JsonPlace {
 public:
     /// Reads a file.
