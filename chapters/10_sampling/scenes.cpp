@@ -89,7 +89,7 @@ std::unique_ptr<Integrator> sppm(const Scene& scene, const Sampler& sampler) {
     SppmSettings settings;
     settings.limits.maxLength = 24;
     settings.radius = 6e-3;
-    settings.photons = 1 << 17;
+    settings.photons = 1 << 14;
     return std::make_unique<Sppm>(scene, sampler, boxFilter(), settings);
 }
 

@@ -180,21 +180,18 @@ TEST(AdaptivePass, EntersTheMeanOfEachBatch) {
         counts += rendering.counts;
     }
     for (const Pixel pixel : some) {
-        Color mean = Color::Zero();
-        std::vector<Color> batches;
+        PixelEstimate expected;
         for (std::int64_t first = 0; first < 12; first += 3) {
-            batches.push_back(Color::Zero());
-            for (std::int64_t i = first; i < first + 3; ++i) batches.back() += Synthetic::value({pixel, i}) / 3;
-            mean += batches.back() / 4;
+            Color sum = Color::Zero();
+            for (std::int64_t i = first; i < first + 3; ++i) sum += Synthetic::value({pixel, i});
+            expected.add(sum / 3);
         }
-        Color squares = Color::Zero();
-        for (const Color& batch : batches) squares += (batch - mean).square();
         const PixelEstimate& found = one.adaptive.estimates()[placeOf(pixel)];
         EXPECT_EQ(found.batches, 4) << "Once for each batch, not for each path.";
-        EXPECT_LE((found.mean - mean).abs().maxCoeff(), 1e-12) << "The mean of the batch, not its sum?";
-        EXPECT_LE((found.squares - squares).abs().maxCoeff(), 1e-12);
+        EXPECT_LE((found.mean - expected.mean).abs().maxCoeff(), 1e-12) << "The mean of the batch, not its sum?";
+        EXPECT_LE((found.squares - expected.squares).abs().maxCoeff(), 1e-12);
         EXPECT_EQ(film.samples(pixel), 12);
-        EXPECT_LE((film.value(pixel) - mean).abs().maxCoeff(), 1e-12);
+        EXPECT_LE((film.value(pixel) - expected.mean).abs().maxCoeff(), 1e-12);
     }
     EXPECT_EQ(one.adaptive.estimates()[0].batches, 0) << "A pixel without paths learns nothing.";
     EXPECT_EQ(counts.rays, 36) << "What the method has done in the scene is told.";

@@ -35,12 +35,12 @@ TEST(PixelEstimate, HasTheMeanAndTheSquaresAboutIt) {
     }
 }
 
-// Noise of a millionth on a bright pixel: a sum of squares from which the squared mean is taken has no digit of it.
+// Noise of a hundred-millionth on a bright pixel: a sum of squares from which the squared mean is taken has no digit of it.
 TEST(PixelEstimate, KeepsSmallNoiseOnLargeValues) {
     for (const Real scale : {1e-9, 1.0, 1e12}) {
         PixelEstimate estimate;
-        for (int i = 0; i < 1000; ++i) estimate.add(scale * Color(1 + (i % 2 == 0 ? 1e-6 : -1e-6), 3, 1e3));
-        EXPECT_NEAR(estimate.squares.x() / (scale * scale * 1e-9), 1, 0.02)
+        for (int i = 0; i < 1000; ++i) estimate.add(scale * Color(1 + (i % 2 == 0 ? 1e-8 : -1e-8), 3, 1e3));
+        EXPECT_NEAR(estimate.squares.x() / (scale * scale * 1e-13), 1, 0.02)
             << "scale " << scale << ": Is the noise the difference of two large sums?";
         EXPECT_LE(estimate.squares.y(), 1e-25 * scale * scale) << "What is constant has no noise.";
     }

@@ -34,7 +34,7 @@ void drawStudy(const std::string& name, int shownWidth, const ChapterInputs& cha
     const std::int64_t passes = uniformPasses(name, chapter, context.quality());
     const Image even = takePicture(*uniform, passes, what.tone, context);
     context.progress().advance(progressSteps);
-    show(0, "uniform: " + std::to_string(passes) + " paths a pixel", even);
+    show(0, "uniform: " + std::to_string(passes) + " a pixel", even);
 
     const auto inner = what.method(scene, sampler);
     const IntervalRule rule(work.tolerance);
@@ -43,19 +43,19 @@ void drawStudy(const std::string& name, int shownWidth, const ChapterInputs& cha
     requireFinite(rendering);
     context.progress().advance(progressSteps);
     const Real mean = static_cast<Real>(adaptive.paths()) / static_cast<Real>(adaptive.estimates().size());
-    show(1, "adaptive, in the same time: " + std::to_string(std::lround(mean)) + " on average",
+    show(1, "adaptive, the same time: " + std::to_string(std::lround(mean)),
          toneMapped(developed(adaptive, rendering), what.tone.exposure, what.tone.white));
     constexpr Real least = 16;
     constexpr Real most = 1024;
     show(2, "its paths", heatMap(adaptive, least, most));
-    const int scale = shownWidth - 140;
+    const int scale = 300;
     drawHeatScale(drawing, Vec2(gap + 3 * (shownWidth + gap) - scale - 40, top + shownHeight + 10), scale, least, most);
     drawing.save(context.output(name + ".png"));
 }
 
 }  // namespace
 
-void drawBunny(const ChapterInputs& chapter, FigureContext& context) { drawStudy("bunny", 400, chapter, context); }
+void drawBunny(const ChapterInputs& chapter, FigureContext& context) { drawStudy("bunny", 300, chapter, context); }
 
 void drawCup(const ChapterInputs& chapter, FigureContext& context) { drawStudy("cup", 360, chapter, context); }
 

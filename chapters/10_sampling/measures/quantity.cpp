@@ -87,8 +87,8 @@ void addImportance(CsvTable& table, FigureContext& context) {
 
 // How far an adaptive picture's mean is off, and what cures it.
 void addBias(CsvTable& table, FigureContext& context) {
-    const int seeds = context.byQuality(4, 16);
-    const int width = context.byQuality(24, 32);
+    const int seeds = context.byQuality(3, 12);
+    const int width = context.byQuality(16, 24);
     const auto rule = [](const Scene&) { return std::make_unique<IntervalRule>(0.05); };
     const std::vector<Taking> ways = {
         {"uniform", {}, {}, context.byQuality(64, 512)},
