@@ -50,16 +50,16 @@ Image inFog(const Scene& scene, const VolumeSppmSettings& settings, std::int64_t
 }  // namespace
 
 void drawVolumeLight(FigureContext& context) {
-    const int width = context.byQuality(150, 600);
+    const int width = context.byQuality(150, 420);
     context.progress().expect(progressSteps);
     const Scene scene(glassInFog(context.asset("assets/profiles/wine_glass.svg").string(), width, width * 4 / 3));
     VolumeSppmSettings settings;
     settings.limits = {.maxLength = 16, .rouletteStart = 4};
     settings.radius = 5e-3;
     settings.beamRadius = 6e-3;
-    settings.photons = 1 << 17;
-    settings.places = 4;
-    saveImage(context.output("volume_light.png"), inFog(scene, settings, context.byQuality(4, 96), {1, 4}, context));
+    settings.photons = context.byQuality(1 << 15, 1 << 17);
+    settings.places = 8;
+    saveImage(context.output("volume_light.png"), inFog(scene, settings, context.byQuality(4, 20), {1, 4}, context));
 }
 
 void drawGlow(FigureContext& context) {
