@@ -13,15 +13,16 @@ namespace {
 constexpr int gap = 12;
 constexpr int top = 44;
 constexpr int foot = 56;
+constexpr std::int64_t few = 16;  // paths a pixel: chapter 05's picture has so many
 
-// Uniform and adaptive for the same time, and where the paths of the latter went.
+// A few paths, more of them, as many adaptive ones as take the same time, and where the paths of the latter went.
 void drawStudy(const std::string& name, int shownWidth, const ChapterInputs& chapter, FigureContext& context) {
     const Study& what = study(name);
     const PictureWork work = pictureWork(name, context.quality());
     const Scene scene = what.scene(assetOf(what, context), work.width);
     const SobolSampler sampler(context.seed());
     const int shownHeight = static_cast<int>(what.aspect * shownWidth);
-    Drawing drawing(gap + 3 * (shownWidth + gap), top + shownHeight + foot);
+    Drawing drawing(gap + 4 * (shownWidth + gap), top + shownHeight + foot);
     const auto show = [&](int column, const std::string& caption, const Image& image) {
         const Vec2 corner(gap + column * (shownWidth + gap), top);
         drawing.text(corner + Vec2(shownWidth / 2.0, -14), caption,
@@ -30,11 +31,13 @@ void drawStudy(const std::string& name, int shownWidth, const ChapterInputs& cha
     };
     context.progress().expect(2 * progressSteps);
 
-    const auto uniform = what.method(scene, sampler);
     const std::int64_t passes = uniformPasses(name, chapter, context.quality());
-    const Image even = takePicture(*uniform, passes, what.tone, context);
+    int column = 0;
+    for (const std::int64_t each : {few, passes}) {
+        const auto uniform = what.method(scene, sampler);
+        show(column++, "uniform: " + std::to_string(each) + " a pixel", takePicture(*uniform, each, what.tone, context));
+    }
     context.progress().advance(progressSteps);
-    show(0, "uniform: " + std::to_string(passes) + " a pixel", even);
 
     const auto inner = what.method(scene, sampler);
     const IntervalRule rule(work.tolerance);
@@ -43,13 +46,13 @@ void drawStudy(const std::string& name, int shownWidth, const ChapterInputs& cha
     requireFinite(rendering);
     context.progress().advance(progressSteps);
     const Real mean = static_cast<Real>(adaptive.paths()) / static_cast<Real>(adaptive.estimates().size());
-    show(1, "adaptive, the same time: " + std::to_string(std::lround(mean)),
+    show(column++, "adaptive, the same time: " + std::to_string(std::lround(mean)),
          toneMapped(developed(adaptive, rendering), what.tone.exposure, what.tone.white));
     constexpr Real least = 16;
     constexpr Real most = 1024;
-    show(2, "its paths", heatMap(adaptive, least, most));
+    show(column, "its paths", heatMap(adaptive, least, most));
     const int scale = 300;
-    drawHeatScale(drawing, Vec2(gap + 3 * (shownWidth + gap) - scale - 40, top + shownHeight + 10), scale, least, most);
+    drawHeatScale(drawing, Vec2(gap + 4 * (shownWidth + gap) - scale - 40, top + shownHeight + 10), scale, least, most);
     drawing.save(context.output(name + ".png"));
 }
 
