@@ -74,8 +74,7 @@ Bounds3 PointBeamTree::build(std::span<Item> items, std::size_t node, int level,
     }
     cutInto(items.subspan(begin, end - begin), 0, width, [=](std::size_t i) { return cut(begin, end, i); });
     for (std::size_t i = 0; i < width; ++i) {
-        const Bounds3 child =
-            build(items, width * node + 1 + i, level + 1, cut(begin, end, i), cut(begin, end, i + 1));
+        const Bounds3 child = build(items, width * node + 1 + i, level + 1, cut(begin, end, i), cut(begin, end, i + 1));
         for (std::size_t axis = 0; axis < 3; ++axis) {
             nodes_[node].rows[axis][i] = child.min()[static_cast<int>(axis)];
             nodes_[node].rows[axis + 3][i] = child.max()[static_cast<int>(axis)];
@@ -96,9 +95,9 @@ PointBeamTree::BeamSlabs::BeamSlabs(const Beam& beam, const Bounds3& all) : tMin
         low_[i] = origin[axis] + radius;
         high_[i] = origin[axis] - radius;
         const Real component = beam.ray.direction[axis];
-        inverse_[i] = 1 / (std::abs(component) >= tiniestShare * largest
-                               ? component
-                               : std::copysign(tiniestShare * largest, component));
+        inverse_[i] =
+            1 / (std::abs(component) >= tiniestShare * largest ? component
+                                                               : std::copysign(tiniestShare * largest, component));
     }
 }
 

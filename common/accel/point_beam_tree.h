@@ -27,7 +27,9 @@ struct Beam {
         return {place, t, (way - t * ray.direction).squaredNorm()};
     }
     /// Whether such a point belongs to it: within the radius, and beside the ray, not before or behind it.
-    bool holds(const BeamPoint& point) const { return point.squaredDistance <= radius * radius && ray.reaches(point.t); }
+    bool holds(const BeamPoint& point) const {
+        return point.squaredDistance <= radius * radius && ray.reaches(point.t);
+    }
 
     Ray ray;
     Real radius = 0;  ///< m, greater than 0
@@ -36,11 +38,10 @@ struct Beam {
 /// A tree of points that says which of them lie along a beam: all within a radius of a ray, in one question, instead of
 /// small steps along the ray with a question at each.
 ///
-/// Each node has eight children and knows their boxes; all leaves are on one level, so children are found by arithmetic.
-/// A ray is near a point if it meets the box, made larger by the radius, of every node above it. A point's place is where
-/// the tree keeps it, as with PointKdTree.
-/// Source: Jarosz, Zwicker, Jensen 2008, The Beam Radiance Estimate for Volumetric Photon Mapping, Computer Graphics
-/// Forum 27(2), section 5.
+/// Each node has eight children and knows their boxes; all leaves are on one level, so children are found by
+/// arithmetic. A ray is near a point if it meets the box, made larger by the radius, of every node above it. A point's
+/// place is where the tree keeps it, as with PointKdTree. Source: Jarosz, Zwicker, Jensen 2008, The Beam Radiance
+/// Estimate for Volumetric Photon Mapping, Computer Graphics Forum 27(2), section 5.
 class PointBeamTree {
 public:
     /// @throws InputError when a coordinate isn't finite or beyond 1e150, or there are 2³² points or more
@@ -94,8 +95,8 @@ private:
     Bounds3 build(std::span<Item> items, std::size_t node, int level, std::size_t begin, std::size_t end);
 
     template <typename Visit>
-    void look(std::size_t node, int level, std::size_t begin, std::size_t end, const Beam& beam,
-              const BeamSlabs& slabs, const Visit& visit) const {
+    void look(std::size_t node, int level, std::size_t begin, std::size_t end, const Beam& beam, const BeamSlabs& slabs,
+              const Visit& visit) const {
         if (level == levels_) {
             for (std::size_t place = begin; place < end; ++place) {
                 const BeamPoint point = beam.nearest(static_cast<std::uint32_t>(place), points_[place]);

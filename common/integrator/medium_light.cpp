@@ -20,8 +20,8 @@ Color turnedAt(const Scene& scene, const LightChoice& lights, const MediumSpan& 
 
 }  // namespace
 
-Color scatteredEquiAngular(const Scene& scene, const LightChoice& lights, const MediumSpan& span, int places, int vertex,
-                           const PathNumbers& numbers, RayCounts& counts) {
+Color scatteredEquiAngular(const Scene& scene, const LightChoice& lights, const MediumSpan& span, int places,
+                           int vertex, const PathNumbers& numbers, RayCounts& counts) {
     //! [equi-angular]
     const Real offset = numbers.number(Dimension::vertex(vertex, VertexUse::Distance));
     Color sum = Color::Zero();

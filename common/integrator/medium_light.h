@@ -5,9 +5,9 @@
 
 namespace caustic {
 
-/// Radiance that a piece of a ray sends to its begin of the light that comes to the medium there straight from the lamps:
-/// single scattering. An estimate from some places of the piece, picked by equi-angular sampling around points of lamps, one
-/// in each of equal shares of the angle; for lamps that are infinitely far away, by the medium.
+/// Radiance that a piece of a ray sends to its begin of the light that comes to the medium there straight from the
+/// lamps: single scattering. An estimate from some places of the piece, picked by equi-angular sampling around points
+/// of lamps, one in each of equal shares of the angle; for lamps that are infinitely far away, by the medium.
 ///
 /// Source: Kulla, Fajardo 2012.
 /// @param span     where
@@ -16,8 +16,8 @@ namespace caustic {
 /// @param numbers  the path's
 /// @param counts   what is done in the scene is added
 /// @return W/(m²·sr)
-Color scatteredEquiAngular(const Scene& scene, const LightChoice& lights, const MediumSpan& span, int places, int vertex,
-                           const PathNumbers& numbers, RayCounts& counts);
+Color scatteredEquiAngular(const Scene& scene, const LightChoice& lights, const MediumSpan& span, int places,
+                           int vertex, const PathNumbers& numbers, RayCounts& counts);
 
 /// The same by ray marching: a sum over the middles of equal steps. What is narrower than a step is missed, or counts
 /// too much: biased, and the same in every pass but for the choice of lamps and of points on them.

@@ -17,7 +17,7 @@ namespace caustic {
 
 namespace {
 
-constexpr std::uint64_t mediumBranch = 32;    // the numbers of places in media
+constexpr std::uint64_t mediumBranch = 32;  // the numbers of places in media
 
 VolumeSppmSettings checked(VolumeSppmSettings settings, const Scene& scene) {
     checkLimits(settings.limits);
@@ -71,8 +71,7 @@ std::string VolumeSppm::whyNoPhotons() const {
     if (!lights_.choose(0)) return "no light shines, so there are no photons";
     if (!needs.diffuse && !needs.glossy && !needs.scattering)
         return "nothing spreads light, so photons would light nothing";
-    if (settings_.limits.maxLength < (needs.scattering ? 2 : 3))
-        return "paths are too short to have room for photons";
+    if (settings_.limits.maxLength < (needs.scattering ? 2 : 3)) return "paths are too short to have room for photons";
     return "";
 }
 

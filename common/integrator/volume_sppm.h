@@ -20,11 +20,11 @@ enum class MediumDirect {
 
 /// How VolumeSppm goes about it.
 struct VolumeSppmSettings {
-    PathLimits limits = {};    ///< segments from the eye and from the light to where they meet, together
-    Real alpha = 2.0 / 3;      ///< of both radii, in (0, 1): see radiusOfPass
-    Real radius = 0;           ///< of the first pass on surfaces, m; 0 for usualRadius of the scene
-    Real beamRadius = 0;       ///< of the first pass around rays, m; 0 for the same
-    int photons = 1 << 16;     ///< that set out in each pass; 0 for direct light alone
+    PathLimits limits = {};  ///< segments from the eye and from the light to where they meet, together
+    Real alpha = 2.0 / 3;    ///< of both radii, in (0, 1): see radiusOfPass
+    Real radius = 0;         ///< of the first pass on surfaces, m; 0 for usualRadius of the scene
+    Real beamRadius = 0;     ///< of the first pass around rays, m; 0 for the same
+    int photons = 1 << 16;   ///< that set out in each pass; 0 for direct light alone
     MediumDirect direct = MediumDirect::EquiAngular;
     int places = 1;  ///< along each piece of a ray within a medium, where direct light is looked for; at least 1
 };

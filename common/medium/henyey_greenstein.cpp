@@ -14,8 +14,8 @@ HenyeyGreenstein::HenyeyGreenstein(Real g) : g_(g) {
 }
 
 Real HenyeyGreenstein::p(const Vec3& wo, const Vec3& wi) const {
-    // 1 + g² − 2g cosθ = (1 − |g|)² + |g| · |wi ± wo|²: at the peak, where the first form loses all its digits, this one
-    // doesn't.
+    // 1 + g² − 2g cosθ = (1 − |g|)² + |g| · |wi ± wo|²: at the peak, where the first form loses all its digits, this
+    // one doesn't.
     const Real away = (g_ >= 0 ? Vec3(wi + wo) : Vec3(wi - wo)).squaredNorm();
     const Real base = (1 - std::abs(g_)) * (1 - std::abs(g_)) + std::abs(g_) * away;
     // Henyey, Greenstein 1941, eq. 2.
@@ -24,8 +24,8 @@ Real HenyeyGreenstein::p(const Vec3& wo, const Vec3& wi) const {
 
 PhaseSample HenyeyGreenstein::sample(const Vec3& wo, const Vec2& u) const {
     //! [ex-11.5]
-    // The distribution of cosθ inverted (PBR 11.6), as 1 − cosθ and 1 + cosθ: no difference of nearly equal numbers, and
-    // nothing is divided by g.
+    // The distribution of cosθ inverted (PBR 11.6), as 1 − cosθ and 1 + cosθ: no difference of nearly equal numbers,
+    // and nothing is divided by g.
     const Real d = 1 - g_ + 2 * g_ * u.x();
     const Real less = 2 * (1 - g_) * (1 - g_) * (1 - u.x()) * (1 + g_ * u.x()) / (d * d);
     const Real more = 2 * (1 + g_) * (1 + g_) * u.x() * (1 - g_ * (1 - u.x())) / (d * d);

@@ -6,8 +6,8 @@
 
 namespace caustic {
 
-/// A medium that is everywhere the same, and absorbs and scatters each channel as it likes: fog, smoke, milk. Of density
-/// 0 it is empty space, bit for bit.
+/// A medium that is everywhere the same, and absorbs and scatters each channel as it likes: fog, smoke, milk. Of
+/// density 0 it is empty space, bit for bit.
 class HomogeneousMedium final : public Medium {
 public:
     /// @param sigmaA  absorption coefficient of each channel, 1/m

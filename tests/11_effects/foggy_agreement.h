@@ -12,7 +12,6 @@
 
 namespace caustic::test {
 
-
 /// VolumeSppm without its bias: the same photons and paths within three radii, on surfaces and along rays. Bias is
 /// b₁R + b₂R², of edges and of curvature; L(R)/3 − 2 L(R/2) + 8/3 L(R/4) has neither.
 class Extrapolated final : public Integrator {
@@ -58,8 +57,8 @@ inline SceneObject fogAround(const Color& sigmaA, const Color& sigmaS, Real g) {
                 1, std::make_shared<HomogeneousMedium>(sigmaA, sigmaS, std::make_shared<HenyeyGreenstein>(g)), -1}};
 }
 
-/// Boxes full of fog, the camera in it: a mirror ball in fog that scatters forwards; a ball of glass in fog that scatters
-/// backwards. No light at a point: paths that come close to one have no finite variance.
+/// Boxes full of fog, the camera in it: a mirror ball in fog that scatters forwards; a ball of glass in fog that
+/// scatters backwards. No light at a point: paths that come close to one have no finite variance.
 inline std::vector<AgreementScene> foggyScenes() {
     SceneDescription lamp = DiffuseBox{}.scene(agreementSide, agreementSide);
     lamp.objects.push_back(fogAround({0.02, 0.05, 0.1}, {0.3, 0.2, 0.5}, 0.5));

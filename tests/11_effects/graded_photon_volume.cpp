@@ -26,8 +26,8 @@ std::vector<Photon> photonsWithin(Real scale, int count, std::uint64_t seed) {
         photon.power = {random.uniform(0, 1), random.uniform(0, 2), random.uniform(0, 0.5)};
         photon.ng = Vec3::Zero();
         photon.length = 1 + static_cast<int>(random.below(4));
-        photon.way = photon.length == 1 ? PhotonWay::Direct
-                                        : (random.below(2) == 0 ? PhotonWay::Caustic : PhotonWay::Indirect);
+        photon.way =
+            photon.length == 1 ? PhotonWay::Direct : (random.below(2) == 0 ? PhotonWay::Caustic : PhotonWay::Indirect);
         photons.push_back(photon);
     }
     return photons;
@@ -75,8 +75,8 @@ void expectSum(Real scale, const Color& sigmaT, std::shared_ptr<const PhaseFunct
 
 const std::shared_ptr<const PhaseFunction> even = std::make_shared<HenyeyGreenstein>(0);
 
-// Coloured extinction on the way from the photon to the begin of the piece, and the kernel's share of each photon beside
-// this piece; at scales of a millimetre and a kilometre.
+// Coloured extinction on the way from the photon to the begin of the piece, and the kernel's share of each photon
+// beside this piece; at scales of a millimetre and a kilometre.
 TEST(PhotonVolume, DimsFromThePhotonToTheEye) {
     for (const Real scale : {1e-3, 1.0, 1e3})
         expectSum(scale, Color(0.4, 2, 1) / scale, even, {0.25 * scale, 10, 1, true},

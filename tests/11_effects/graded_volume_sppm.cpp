@@ -32,8 +32,7 @@ struct Fog {
     Color sigmaS;
 
     SceneObject object() const {
-        const auto medium =
-            std::make_shared<HomogeneousMedium>(sigmaA, sigmaS, std::make_shared<HenyeyGreenstein>(g));
+        const auto medium = std::make_shared<HomogeneousMedium>(sigmaA, sigmaS, std::make_shared<HenyeyGreenstein>(g));
         return {.shape = std::make_shared<Sphere>(centre, radius), .interior = Interior{1, medium, 0}};
     }
 
@@ -112,9 +111,10 @@ TEST(VolumeSppm, AddsOneMediumBehindTheOther) {
     description.objects = {thick.object(), thin.object()};
     description.lights = {std::make_shared<PointLight>(lamp, intensity)};
     description.camera = alongX(view.origin);
-    const Color expected = thick.scatteredOnce(view, lamp, intensity) +
-                           thick.passed(view) * thin.scatteredOnce(view, lamp, intensity);
-    expectColor(seen(description, 2, 4096), expected, 0.03, "What has the first medium left of the second one's light?");
+    const Color expected =
+        thick.scatteredOnce(view, lamp, intensity) + thick.passed(view) * thin.scatteredOnce(view, lamp, intensity);
+    expectColor(seen(description, 2, 4096), expected, 0.03,
+                "What has the first medium left of the second one's light?");
     EXPECT_EQ(seen(description, 1, 16).maxCoeff(), 0) << "From the eye to the medium to the lamp: two segments.";
 }
 
@@ -125,11 +125,9 @@ TEST(VolumeSppm, GathersOverMirrors) {
     const Color intensity(30, 20, 10);
     SceneDescription description;
     const Vec3 eye(0, 0, 0);
-    description.objects = {thin.object(),
-                           {std::make_shared<Plane>(Vec3(-1, 0, 0), Vec3::UnitX()),
-                            std::make_shared<MirrorMaterial>(tint),
-                            {},
-                            nullptr}};
+    description.objects = {
+        thin.object(),
+        {std::make_shared<Plane>(Vec3(-1, 0, 0), Vec3::UnitX()), std::make_shared<MirrorMaterial>(tint), {}, nullptr}};
     description.lights = {std::make_shared<PointLight>(lamp, intensity)};
     description.camera = std::make_shared<PinholeCamera>(eye, Vec3(-1, 0, 0), Vec3::UnitZ(), 1e-6, 1, 1);
     const Ray second = {Vec3(-1, 0, 0), Vec3::UnitX()};
@@ -154,7 +152,8 @@ TEST(VolumeSppm, DimsTheLightOfSurfaces) {
     description.camera = alongX(view.origin);
     const Vec3 way = lamp - Vec3(9, 0, 0);
     const Color lit = albedo / pi * intensity * (-way.x() / std::pow(way.norm(), 3));
-    expectColor(seen(description, 2, 4), smoke.passed(view) * lit, 1e-6, "What has the smoke left on the way to the eye?");
+    expectColor(seen(description, 2, 4), smoke.passed(view) * lit, 1e-6,
+                "What has the smoke left on the way to the eye?");
 }
 
 // Two mirrors face each other; zigzag between them the path comes to a lamp with its third segment.

@@ -10,11 +10,11 @@ namespace {
 void expectAgreement(std::size_t scene, MediumDirect direct, std::int64_t samples) {
     const test::Agreement agreement =
         test::compareMethods({test::foggyScenes()[scene]}, test::foggyMethods(direct), 64, samples, 2);
-    std::printf("%d comparisons, largest |t| %.2f of %.2f, variance %.2f of %.2f ± %.2f, means %.2f standard errors apart, of "
-                "%.2f %% at most\n",
-                agreement.comparisons, agreement.largestT, agreement.mostT, agreement.variance,
-                agreement.expectedVariance, agreement.varianceBand, agreement.largestMeanT,
-                100 * agreement.largestError);
+    std::printf(
+        "%d comparisons, largest |t| %.2f of %.2f, variance %.2f of %.2f ± %.2f, means %.2f standard errors apart, of "
+        "%.2f %% at most\n",
+        agreement.comparisons, agreement.largestT, agreement.mostT, agreement.variance, agreement.expectedVariance,
+        agreement.varianceBand, agreement.largestMeanT, 100 * agreement.largestError);
     EXPECT_EQ(agreement.comparisons, 3 * 9);
     EXPECT_TRUE(agreement.agrees()) << agreement.worst;
     EXPECT_EQ(agreement.badSamples, 0);

@@ -37,8 +37,8 @@ struct AirLight {
         return Scene(std::move(description));
     }
 
-    // The air-light integral ∫ σ_s p I e^(−σ_t (t + d)) / d² dt over angles seen from the lamp, in which the integrand is
-    // smooth (Sun et al. 2005, A Practical Analytic Single Scattering Model for Real Time Rendering, eq. 8 and 10):
+    // The air-light integral ∫ σ_s p I e^(−σ_t (t + d)) / d² dt over angles seen from the lamp, in which the integrand
+    // is smooth (Sun et al. 2005, A Practical Analytic Single Scattering Model for Real Time Rendering, eq. 8 and 10):
     // Gauss's rule of 32 points on each of 64 pieces.
     Color integral(const Ray& ray, Real tEnd) const {
         const Real foot = (lamp - ray.origin).dot(ray.direction);
@@ -55,8 +55,8 @@ struct AirLight {
                 const Real t = foot + beside * std::tan(angle);
                 const Real d = beside / std::cos(angle);
                 const Vec3 wi = (lamp - ray.at(t)).normalized();
-                sum += rule.weights[i] * half / beside * sigmaS * HenyeyGreenstein(g).p(-ray.direction, wi) * intensity *
-                       (-(sigmaA + sigmaS) * (t + d)).exp();
+                sum += rule.weights[i] * half / beside * sigmaS * HenyeyGreenstein(g).p(-ray.direction, wi) *
+                       intensity * (-(sigmaA + sigmaS) * (t + d)).exp();
             }
         }
         return sum;
@@ -81,8 +81,8 @@ std::vector<AirLight> cases() {
             {{100, 50, 0}, {300, 100, 500}, -0.2, {1e-3, -2e-3, 5e-4}, {1e-3, 2e-3, 1e-3}, 0.01}};
 }
 
-// Single scattering around a point light against its integral, channel by channel, within 1 % and five standard errors: past
-// the lamp, closely past it, towards it and away from it; from within the fog, coloured, at three scales.
+// Single scattering around a point light against its integral, channel by channel, within 1 % and five standard errors:
+// past the lamp, closely past it, towards it and away from it; from within the fog, coloured, at three scales.
 TEST(AirLight, EquiAngularMeetsTheIntegral) {
     constexpr int n = 60'000;
     const IndependentSampler sampler(3);
@@ -156,16 +156,17 @@ TEST(AirLight, MarchingNeedsStepsAsNarrowAsTheGlow) {
     EXPECT_GE((marched(16) / expected - 1).abs().maxCoeff(), 0.3);
 }
 
-// Light from infinitely far away has no place to look around: places are picked as the medium does. All that isn't absorbed
-// of an even sky is scattered to the eye once: σ_s/σ_t (1 − T) of what passes to there.
+// Light from infinitely far away has no place to look around: places are picked as the medium does. All that isn't
+// absorbed of an even sky is scattered to the eye once: σ_s/σ_t (1 − T) of what passes to there.
 TEST(AirLight, TakesSkyLightAtPlacesOfTheMedium) {
     AirLight one = cases()[0];
     one.size = 1e-3;  // so thin that nothing is lost on the way in
     SceneDescription description;
-    description.objects = {{.shape = std::make_shared<Sphere>(Vec3::Zero(), one.size),
-                            .interior = Interior{1, std::make_shared<HomogeneousMedium>(
-                                                        one.sigmaA, one.sigmaS, std::make_shared<HenyeyGreenstein>(0.3)),
-                                                 0}}};
+    description.objects = {
+        {.shape = std::make_shared<Sphere>(Vec3::Zero(), one.size),
+         .interior = Interior{
+             1, std::make_shared<HomogeneousMedium>(one.sigmaA, one.sigmaS, std::make_shared<HenyeyGreenstein>(0.3)),
+             0}}};
     description.lights = {std::make_shared<ConstantEnvironment>(Color(1, 2, 3))};
     const Scene scene(description);
     const LightChoice lights(scene.lights());

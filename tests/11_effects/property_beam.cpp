@@ -41,8 +41,8 @@ Ray towards(const Vec3& from, const Vec3& to, Real tMax = std::numeric_limits<Re
     return {from, (to - from).normalized(), 0, tMax};
 }
 
-// From one point to tens of thousands, about and at the sizes at which a level is added; scales from 1e-3 to 1e3; rays from
-// within, from outside, from far away, that end midway, along axes.
+// From one point to tens of thousands, about and at the sizes at which a level is added; scales from 1e-3 to 1e3; rays
+// from within, from outside, from far away, that end midway, along axes.
 TEST(BeamTree, FindsWhatBruteForceFinds) {
     Random random(1, {});
     std::int64_t all = 0;
@@ -75,7 +75,8 @@ TEST(BeamTree, FindsWhatBruteForceFinds) {
     EXPECT_GT(all, 100'000);
 }
 
-// All points at one place, on a line and in a plane that the ray runs in; none; a radius of 0; a direction of any length.
+// All points at one place, on a line and in a plane that the ray runs in; none; a radius of 0; a direction of any
+// length.
 TEST(BeamTree, BearsPointsOnTopOfEachOther) {
     Random random(2, {});
     for (const int spread : {0, 1, 2}) {

@@ -46,9 +46,7 @@ TEST(Phase, IsNormalisedWithItsMeanCosine) {
     }
     for (const Real g : {-0.99, -0.5, 0.0, 0.2, 0.9, 0.99}) {
         const HenyeyGreenstein phase(g);
-        const auto integral = [&](const auto& integrand) {
-            return test::sphereIntegral(integrand, {}, 1e-9, crowd);
-        };
+        const auto integral = [&](const auto& integrand) { return test::sphereIntegral(integrand, {}, 1e-9, crowd); };
         EXPECT_NEAR(integral([&](const Vec3& wi) { return phase.p(wo, wi); }), 1, 1e-5) << g;
         EXPECT_NEAR(integral([&](const Vec3& wi) { return -wo.dot(wi) * phase.p(wo, wi); }), g, 1e-5) << g;
     }
@@ -81,8 +79,8 @@ std::shared_ptr<const HomogeneousMedium> fog(const Color& sigmaA, const Color& s
     return std::make_shared<HomogeneousMedium>(sigmaA, sigmaS, std::make_shared<HenyeyGreenstein>(g));
 }
 
-// Over a grid of numbers, weights of scattered samples mean ∫ σ_s T dt, of passing ones T; and the density is the weight's:
-// a direction of any length, a clear channel, both ends of scale, no end.
+// Over a grid of numbers, weights of scattered samples mean ∫ σ_s T dt, of passing ones T; and the density is the
+// weight's: a direction of any length, a clear channel, both ends of scale, no end.
 TEST(Medium, DistancesAreUnbiasedInEachChannel) {
     for (const Real scale : {1e-3, 1.0, 1e3}) {
         const Color sigmaA = Color(0.5, 0, 0.1) / scale;
@@ -129,16 +127,16 @@ TEST(Medium, RefusesWhatNoMediumHas) {
 // A room with glass and a mirror in it, and a ball of something around all of it.
 SceneDescription room(std::shared_ptr<const Medium> medium, bool around) {
     SceneDescription description;
-    description.objects = {
-        diffuseRectangle({-1, -1, -1}, {2, 0, 0}, {0, 2, 0}, {0.7, 0.5, 0.3}),
-        diffuseRectangle({-1, 1, -1}, {2, 0, 0}, {0, 0, 2}, {0.3, 0.6, 0.4}),
-        glassBall({0.3, 0, -0.5}, 0.4, 1.5), mirrorBall({-0.5, 0.3, -0.6}, 0.35),
-        rectangleLamp({-0.3, -0.3, 1}, {0, 0.6, 0}, {0.6, 0, 0}, {9, 8, 7})};
+    description.objects = {diffuseRectangle({-1, -1, -1}, {2, 0, 0}, {0, 2, 0}, {0.7, 0.5, 0.3}),
+                           diffuseRectangle({-1, 1, -1}, {2, 0, 0}, {0, 0, 2}, {0.3, 0.6, 0.4}),
+                           glassBall({0.3, 0, -0.5}, 0.4, 1.5), mirrorBall({-0.5, 0.3, -0.6}, 0.35),
+                           rectangleLamp({-0.3, -0.3, 1}, {0, 0.6, 0}, {0.6, 0, 0}, {9, 8, 7})};
     if (around)
-        description.objects.push_back({.shape = std::make_shared<Sphere>(Vec3(0.1, 0, 0), 3),
-                                       .interior = Interior{1, std::move(medium), -1}});
+        description.objects.push_back(
+            {.shape = std::make_shared<Sphere>(Vec3(0.1, 0, 0), 3), .interior = Interior{1, std::move(medium), -1}});
     description.lights = {std::make_shared<PointLight>(Vec3(0.4, -0.4, 0.7), Color(1, 2, 1))};
-    description.camera = std::make_shared<PinholeCamera>(Vec3(0.1, -2.5, 0.2), Vec3(0, 0, -0.2), Vec3::UnitZ(), 0.8, 24, 24);
+    description.camera =
+        std::make_shared<PinholeCamera>(Vec3(0.1, -2.5, 0.2), Vec3(0, 0, -0.2), Vec3::UnitZ(), 0.8, 24, 24);
     return description;
 }
 
@@ -154,8 +152,10 @@ void expectSamePictures(const SceneDescription& one, const SceneDescription& oth
                 ASSERT_TRUE((here.value({x, y}) == there.value({x, y})).all()) << x << ", " << y;
         }
     };
-    compare(PathTracer(first, sampler, box, {limits, Direct::Mis}), PathTracer(second, sampler, box, {limits, Direct::Mis}));
-    compare(BidirectionalPathTracer(first, sampler, box, limits), BidirectionalPathTracer(second, sampler, box, limits));
+    compare(PathTracer(first, sampler, box, {limits, Direct::Mis}),
+            PathTracer(second, sampler, box, {limits, Direct::Mis}));
+    compare(BidirectionalPathTracer(first, sampler, box, limits),
+            BidirectionalPathTracer(second, sampler, box, limits));
 }
 
 // A medium of density 0 changes no bit: not beside the same ball with nothing in it, and not beside no ball at all,
@@ -192,19 +192,20 @@ TEST(Medium, WhiteFurnaceStaysWhite) {
             std::make_shared<PinholeCamera>(Vec3(0.3, -0.4, 0.5), Vec3(-0.2, 0, 0), Vec3::UnitZ(), 0.5, 1, 1);
         const Scene scene(description);
         const PathLimits limits = {.maxLength = 4000, .rouletteStart = 1};
-        const test::PathMean path = test::meanOfRounds(PathTracer(scene, sampler, box, {limits, Direct::Mis}), 16, 0.005);
+        const test::PathMean path =
+            test::meanOfRounds(PathTracer(scene, sampler, box, {limits, Direct::Mis}), 16, 0.005);
         EXPECT_NEAR(path.mean, 1, 5 * path.standardError + 1e-9) << g;
         const test::PathMean both = test::meanOfRounds(BidirectionalPathTracer(scene, sampler, box, limits), 16, 0.01);
         EXPECT_NEAR(both.mean, 1, 5 * both.standardError) << g;
     }
 }
 
-// Chandrasekhar's H of isotropic scattering with albedo w, from its integral equation in the form that converges for all w:
-// 1/H(μ) = √(1 − w) + w/2 ∫ μ' H(μ') / (μ + μ') dμ'. Radiative Transfer 1960, ch. V, eq. 12.
+// Chandrasekhar's H of isotropic scattering with albedo w, from its integral equation in the form that converges for
+// all w: 1/H(μ) = √(1 − w) + w/2 ∫ μ' H(μ') / (μ + μ') dμ'. Radiative Transfer 1960, ch. V, eq. 12.
 Real chandrasekharH(Real w, Real mu) {
     constexpr int n = 64;
     std::vector<Real> h(n, 1);
-    const auto node = [&](int i) { return (i + 0.5) / n * (i + 0.5) / n; };     // denser at 0
+    const auto node = [&](int i) { return (i + 0.5) / n * (i + 0.5) / n; };  // denser at 0
     const auto weight = [&](int i) { return 2 * (i + 0.5) / n / n; };
     const auto inverse = [&](Real at) {
         Real sum = 0;
@@ -230,10 +231,10 @@ TEST(Medium, HalfSpaceReflectsAsChandrasekharSays) {
             SceneDescription description;
             description.objects = {
                 {.shape = std::make_shared<Plane>(Vec3::Zero(), Vec3::UnitZ()),
-                 .interior = Interior{
-                     1, std::make_shared<HomogeneousMedium>(sigmaT * (1 - turned), sigmaT * turned,
-                                                            std::make_shared<IsotropicPhase>()),
-                     0}}};
+                 .interior = Interior{1,
+                                      std::make_shared<HomogeneousMedium>(sigmaT * (1 - turned), sigmaT * turned,
+                                                                          std::make_shared<IsotropicPhase>()),
+                                      0}}};
             description.lights = {std::make_shared<ConstantEnvironment>(Color::Ones())};
             const Vec3 down(std::sqrt(1 - mu * mu), 0, -mu);
             description.camera = std::make_shared<PinholeCamera>(-down, Vec3::Zero(), Vec3::UnitZ(), 1e-3, 1, 1);

@@ -5,8 +5,8 @@
 namespace caustic {
 namespace {
 
-// Light that is scattered many times: path tracing by free flight, and photons gathered along rays, with direct light by
-// equi-angular sampling and as photons, agree block by block. large_volume_agreement.cpp does more of it.
+// Light that is scattered many times: path tracing by free flight, and photons gathered along rays, with direct light
+// by equi-angular sampling and as photons, agree block by block. large_volume_agreement.cpp does more of it.
 TEST(VolumeAgreement, PhotonsMeetPaths) {
     for (const MediumDirect direct : {MediumDirect::EquiAngular, MediumDirect::Photons}) {
         std::vector<test::AgreementMethod> two = test::foggyMethods(direct);

@@ -92,7 +92,8 @@ TEST(SceneFile, NamesWhatIsWrongAndWhere) {
         {"\"width\": 24", "\"width\": 2.5", "#/camera/width", "whole number"},
         {"\"width\": 24, \"height\": 16", "\"width\": 90000, \"height\": 90000", "#/camera", ""},
         {"\"width\": 24", "\"width\": 24, \"hight\": 3", "#/camera/hight", "no such member"},
-        {"\"height\": 16", "\"height\": 16, \"lens\": {\"radius\": -1, \"focus\": 2}", "#/camera/lens/radius", "at least 0"},
+        {"\"height\": 16", "\"height\": 16, \"lens\": {\"radius\": -1, \"focus\": 2}", "#/camera/lens/radius",
+         "at least 0"},
         {"\"height\": 16", "\"height\": 16, \"lens\": {\"radius\": 1, \"focus\": 0}", "#/camera", "focus"},
         {"\"height\": 16", "\"height\": 16, \"lens\": 3", "#/camera/lens", "must be an object"},
         {"[0, -4, 1]", "[0, -4]", "#/camera/position", "three numbers"},
@@ -104,7 +105,8 @@ TEST(SceneFile, NamesWhatIsWrongAndWhere) {
         {"\"reflectance\": 0.7", "\"reflectance\": {\"type\": \"image\", \"file\": \"none.png\"}", "none.png", ""},
         {"\"reflectance\": 0.7", "\"reflectance\": {\"type\": \"checker\", \"even\": 1, \"odd\": 0, \"side\": 0}",
          "#/materials/white/reflectance/side", "must be at least"},
-        {"{\"type\": \"glass\"}", "{\"type\": \"glass\", \"roughness\": 2}", "#/materials/glass/roughness", "from 0 to 1"},
+        {"{\"type\": \"glass\"}", "{\"type\": \"glass\", \"roughness\": 2}", "#/materials/glass/roughness",
+         "from 0 to 1"},
         {"{\"type\": \"glass\"}", "{\"type\": \"glass\", \"ior\": 2}", "#/materials/glass/ior", "no such member"},
         {"{\"type\": \"glass\"}", "[]", "#/materials/glass", "must be an object"},
         {"\"g\": 0.5", "\"g\": 1", "#/media/smoke", "mean cosine"},
@@ -115,17 +117,20 @@ TEST(SceneFile, NamesWhatIsWrongAndWhere) {
         {"\"type\": \"sphere\"", "\"type\": \"ball\"", "#/objects/0/shape/type", "must be one of sphere, box"},
         {"\"type\": \"sphere\", \"center\": [0, 0, 0], \"radius\": 0.5", "\"type\": \"mesh\", \"file\": \"none.obj\"",
          "none.obj", ""},
-        {"\"type\": \"sphere\", \"center\": [0, 0, 0], \"radius\": 0.5", "\"type\": \"revolution\", \"file\": \"none.svg\"",
-         "none.svg", ""},
+        {"\"type\": \"sphere\", \"center\": [0, 0, 0], \"radius\": 0.5",
+         "\"type\": \"revolution\", \"file\": \"none.svg\"", "none.svg", ""},
         {"\"material\": \"glass\"", "\"material\": \"glas\"", "#/objects/0/material", "there are glass, white"},
         {"\"medium\": \"smoke\"", "\"medium\": \"fog\"", "#/objects/0/interior/medium", "there are smoke"},
         {"\"ior\": 1.5", "\"ior\": 0", "#/objects/0/interior/ior", "must be from"},
         {", \"material\": \"white\"", "", "#/objects/1", "needs a material"},
         {"\"edgeV\": [0, 2, 0]", "\"edgeV\": [1, 2, 0]", "#/objects/1/shape", "perpendicular"},
-        {"\"material\": \"white\"", "\"material\": \"white\", \"transform\": [{\"type\": \"scale\", \"by\": [1, 0, 1]}]",
+        {"\"material\": \"white\"",
+         "\"material\": \"white\", \"transform\": [{\"type\": \"scale\", \"by\": [1, 0, 1]}]",
          "#/objects/1/transform/0", ""},
-        {"\"material\": \"white\"", "\"material\": \"white\", \"transform\": {}", "#/objects/1/transform", "must be a list"},
-        {"\"material\": \"white\"", "\"material\": \"white\", \"transform\": [{\"type\": \"turn\", \"axis\": [0, 0, 0], \"degrees\": 9}]",
+        {"\"material\": \"white\"", "\"material\": \"white\", \"transform\": {}", "#/objects/1/transform",
+         "must be a list"},
+        {"\"material\": \"white\"",
+         "\"material\": \"white\", \"transform\": [{\"type\": \"turn\", \"axis\": [0, 0, 0], \"degrees\": 9}]",
          "#/objects/1/transform/0", ""},
         {"\"material\": \"white\"", "\"emission\": [1, -1, 1]", "#/objects/1/emission/1", "at least 0"},
         {"\"material\": \"white\"", "\"material\": \"white\", \"normalMap\": {\"file\": \"none.png\"}", "none.png", ""},
@@ -152,7 +157,8 @@ TEST(SceneFile, NamesWhatIsWrongAndWhere) {
         EXPECT_FALSE(complaint(written(folder, text)).empty()) << text;
     EXPECT_FALSE(complaint((folder / "missing.json").string()).empty());
     EXPECT_FALSE(complaint(folder.path().string()).empty());
-    EXPECT_NE(complaint(written(folder, std::string(40, '[') + std::string(40, ']'))).find("nested"), std::string::npos);
+    EXPECT_NE(complaint(written(folder, std::string(40, '[') + std::string(40, ']'))).find("nested"),
+              std::string::npos);
 }
 
 // The command: a picture, the same for any number of threads; of a bad file nothing but one line and exit code 2.
@@ -163,8 +169,8 @@ TEST(SceneCommand, RendersOrComplains) {
         written(folder, replaced(replaced(good, "\"path\"", "\"" + std::string(method) + "\""), "\"segments\": 6",
                                  "\"segments\": 6, \"photons\": 500"));
         for (const char* const threads : {"1", "2"}) {
-            const auto run = runProcess({test::chapterProgram(), "--scene", file, "--out", (folder / threads).string(),
-                                         "--threads", threads});
+            const auto run = runProcess(
+                {test::chapterProgram(), "--scene", file, "--out", (folder / threads).string(), "--threads", threads});
             ASSERT_EQ(run->exitCode, 0) << method << run->output;
         }
         const Image one = loadImage(folder / "1" / "11_effects/own.png");
@@ -178,8 +184,9 @@ TEST(SceneCommand, RendersOrComplains) {
         }
         EXPECT_GT(sum, 1) << method << ": all black";
     }
-    for (const std::string& text : {replaced(good, "\"width\": 24", "\"width\": -1"),
-                                    replaced(good, "{\"type\": \"point\", \"position\": [1, -1, 2], \"intensity\": [3, 2, 1]}", "")}) {
+    for (const std::string& text :
+         {replaced(good, "\"width\": 24", "\"width\": -1"),
+          replaced(good, "{\"type\": \"point\", \"position\": [1, -1, 2], \"intensity\": [3, 2, 1]}", "")}) {
         written(folder, text);
         const auto run = runProcess({test::chapterProgram(), "--scene", file, "--out", (folder / "none").string()});
         EXPECT_EQ(run->exitCode, 2) << run->output;

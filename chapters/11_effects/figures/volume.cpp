@@ -24,18 +24,19 @@ namespace {
 
 // A glass of wine under a spotlight, in a ball of faint fog.
 SceneDescription glassInFog(const std::string& outline, int width, int height) {
-    const WineGlass glass = {loadOutline(outline)};
+    WineGlass glass = {loadOutline(outline)};
+    glass.wineSigmaA = {2, 14, 10};
     SceneDescription scene;
     scene.objects = glass.objects();
     scene.objects.push_back(diffuseRectangle({-1.6, -1e-4, -1}, {0, 0, 3}, {3.2, 0, 0}, Color(0.5, 0.47, 0.43)));
-    scene.objects.push_back(diffuseRectangle({-1.6, -1e-4, -0.6}, {3.2, 0, 0}, {0, 1.6, 0}, Color(0.16, 0.18, 0.22)));
+    scene.objects.push_back(diffuseRectangle({-1.6, -1e-4, -0.6}, {3.2, 0, 0}, {0, 1.6, 0}, Color(0.08, 0.09, 0.11)));
     const auto fog = std::make_shared<HomogeneousMedium>(Color::Constant(0.05), Color(0.5, 0.5, 0.5),
                                                          std::make_shared<HenyeyGreenstein>(0.3));
     scene.objects.push_back({.shape = std::make_shared<Sphere>(Vec3(0, 0.2, 0), 2), .interior = Interior{1, fog, -1}});
-    const Vec3 lamp(-0.34, 0.5, -0.1);
-    scene.lights = {std::make_shared<ConeLight>(lamp, Vec3(0, 0.13, 0) - lamp, 0.2, Color(5.2, 4.8, 4.2))};
-    scene.camera =
-        std::make_shared<PinholeCamera>(Vec3(0.1, 0.27, 0.75), Vec3(0.02, 0.15, 0), Vec3::UnitY(), 0.55, width, height);
+    const Vec3 lamp(-0.42, 0.46, -0.08);
+    scene.lights = {std::make_shared<ConeLight>(lamp, Vec3(0, 0.14, 0) - lamp, 0.13, Color(6.5, 6, 5.3))};
+    scene.camera = std::make_shared<PinholeCamera>(Vec3(0.14, 0.24, 0.72), Vec3(0.045, 0.125, 0), Vec3::UnitY(), 0.5,
+                                                   width, height);
     return scene;
 }
 
@@ -56,10 +57,10 @@ void drawVolumeLight(FigureContext& context) {
     VolumeSppmSettings settings;
     settings.limits = {.maxLength = 16, .rouletteStart = 4};
     settings.radius = 5e-3;
-    settings.beamRadius = 6e-3;
+    settings.beamRadius = 8e-3;
     settings.photons = context.byQuality(1 << 15, 1 << 17);
     settings.places = 8;
-    saveImage(context.output("volume_light.png"), inFog(scene, settings, context.byQuality(4, 20), {1, 4}, context));
+    saveImage(context.output("volume_light.png"), inFog(scene, settings, context.byQuality(4, 20), {1.8, 4}, context));
 }
 
 void drawGlow(FigureContext& context) {

@@ -6,7 +6,7 @@ set multiplot layout 1,3 title "What light in fog, from a sky and through a lens
 set datafile missing NaN
 set logscale xy
 set format xy "10^{%L}"
-set key at graph 0.5,-0.17 center top Left reverse noenhanced maxrows 5
+set key at graph 0.5,-0.24 center top Left reverse noenhanced maxrows 5
 set bmargin 12
 
 array fog[4] = ["fog: ray marching", "fog: photons along the ray", "fog: equi-angular in 16 places", "fog: path tracing by free flight"]
