@@ -21,10 +21,14 @@ Vec3 seenNormal(const Interaction& at) {
 
 std::string nameOf(Importance density) {
     switch (density) {
-        case Importance::Uniform: return "uniform";
-        case Importance::Cosine: return "cosine";
-        case Importance::Lamp: return "lamp";
-        case Importance::Both: return "both by MIS";
+        case Importance::Uniform:
+            return "uniform";
+        case Importance::Cosine:
+            return "cosine";
+        case Importance::Lamp:
+            return "lamp";
+        case Importance::Both:
+            return "both by MIS";
     }
     return "";
 }
@@ -50,8 +54,8 @@ Color ImportanceTracer::Li(const Ray& ray, const MediumStack& eye, const PathNum
 std::optional<Vec3> ImportanceTracer::sample(const Interaction& at, const PathNumbers& numbers) const {
     const bool half = numbers.number(Dimension::vertex(0, VertexUse::Lobe)) < 0.5;
     if (density_ == Importance::Lamp || (density_ == Importance::Both && half)) {
-        const auto lamp =
-            scene().lights().front()->sampleDirect(at.place(), numbers.pair(Dimension::vertex(0, VertexUse::LightPoint)));
+        const auto lamp = scene().lights().front()->sampleDirect(
+            at.place(), numbers.pair(Dimension::vertex(0, VertexUse::LightPoint)));
         return lamp ? std::optional(lamp->wi) : std::nullopt;
     }
     const Vec2 u = numbers.pair(Dimension::vertex(0, VertexUse::Direction));

@@ -76,8 +76,8 @@ SceneDescription wineCup(const std::string& file, int width, int height) {
 }
 
 std::unique_ptr<Integrator> rayTracer(const Scene& scene, const Sampler& sampler) {
-    return std::make_unique<RayTracer>(
-        scene, sampler, boxFilter(), RayTracerSettings{.maxDepth = 10, .leastWeight = 1e-3, .shadowSamples = 2});
+    return std::make_unique<RayTracer>(scene, sampler, boxFilter(),
+                                       RayTracerSettings{.maxDepth = 10, .leastWeight = 1e-3, .shadowSamples = 2});
 }
 
 std::unique_ptr<Integrator> pathTracer(const Scene& scene, const Sampler& sampler) {
@@ -89,7 +89,7 @@ std::unique_ptr<Integrator> sppm(const Scene& scene, const Sampler& sampler) {
     SppmSettings settings;
     settings.limits.maxLength = 24;
     settings.radius = 6e-3;
-    settings.photons = 1 << 14;
+    settings.photons = 1 << 15;
     return std::make_unique<Sppm>(scene, sampler, boxFilter(), settings);
 }
 
@@ -102,8 +102,13 @@ Scene Study::scene(const std::string& file, int width) const {
 const std::vector<Study>& studies() {
     static const std::vector<Study> all = {
         {"bunny", "bunny of glass", {1.7, 4}, 1, "assets/meshes/bunny.obj", glassBunny, rayTracer},
-        {"box", "the peers' box", {1, 4}, 1, "",
-         [](const std::string&, int width, int height) { return peersBox(width, height); }, pathTracer},
+        {"box",
+         "the peers' box",
+         {1, 4},
+         1,
+         "",
+         [](const std::string&, int width, int height) { return peersBox(width, height); },
+         pathTracer},
         {"cup", "glass of wine", {1, 4}, 4.0 / 3, "assets/profiles/wine_glass.svg", wineCup, sppm}};
     return all;
 }

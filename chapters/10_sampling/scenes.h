@@ -26,8 +26,8 @@ struct Study {
     Scene scene(const std::string& file, int width) const;
 };
 
-/// All of them: chapter 05's bunny of green glass by its ray tracer, the peers' box by path tracing, chapter 09's glass of
-/// wine by SPPM.
+/// All of them: chapter 05's bunny of green glass by its ray tracer, the peers' box by path tracing, chapter 09's glass
+/// of wine by SPPM.
 const std::vector<Study>& studies();
 
 /// What they are called.

@@ -22,11 +22,12 @@ constexpr const char* pictures[] = {"bunny", "cup"};
 PictureWork pictureWork(const std::string& study, Quality quality) {
     const bool draft = quality == Quality::Draft;
     const bool cup = study == "cup";
-    PictureWork work = {cup ? (draft ? 45 : 180) : (draft ? 60 : 300), {.batch = 8, .first = 16, .most = 2048, .share = 0.04}, 0.02};
+    PictureWork work = {
+        cup ? (draft ? 45 : 180) : (draft ? 60 : 300), {.batch = 8, .first = 16, .most = 2048, .share = 0.04}, 0.02};
     if (cup) work.settings = {.batch = 8, .first = 32, .most = 2048, .share = 0.1};
     const Study& what = caustic::study(study);
     const auto pixels = static_cast<Real>(work.width) * std::round(what.aspect * work.width);
-    work.settings.paths = static_cast<std::int64_t>(48 * pixels / (draft ? 2 : 1));
+    work.settings.paths = static_cast<std::int64_t>((cup ? 80 : 48) * pixels / (draft ? 2 : 1));
     return work;
 }
 

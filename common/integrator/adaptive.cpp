@@ -87,7 +87,9 @@ Color AdaptiveIntegrator::Li(const Ray& ray, const MediumStack& media, const Pat
     return inner_->Li(ray, media, numbers, counts);
 }
 
-std::int64_t AdaptiveIntegrator::paths() const { return std::accumulate(given_.begin(), given_.end(), std::int64_t{0}); }
+std::int64_t AdaptiveIntegrator::paths() const {
+    return std::accumulate(given_.begin(), given_.end(), std::int64_t{0});
+}
 
 // The largest number of the square of pixels around each: along rows, then along columns.
 std::vector<Real> AdaptiveIntegrator::spreadOut(const std::vector<Real>& wanted) const {
@@ -99,7 +101,8 @@ std::vector<Real> AdaptiveIntegrator::spreadOut(const std::vector<Real>& wanted)
             for (int x = 0; x < width; ++x) {
                 Real largest = 0;
                 for (int k = -settings_.spread; k <= settings_.spread; ++k) {
-                    const Pixel near = {std::clamp(x + k * stepX, 0, width - 1), std::clamp(y + k * stepY, 0, height - 1)};
+                    const Pixel near = {std::clamp(x + k * stepX, 0, width - 1),
+                                        std::clamp(y + k * stepY, 0, height - 1)};
                     largest = std::max(largest, from[offset(near)]);
                 }
                 to[offset({x, y})] = largest;

@@ -53,7 +53,9 @@ std::vector<Real> EdgeRule::wanted(const PixelEstimates& soFar) const {
     std::vector<Real> wanted(soFar.size(), 0);
     if (middle <= 0) return wanted;
     Image shown(soFar.width(), soFar.height());
-    const auto at = [&](std::size_t i) { return std::pair(static_cast<int>(i) % soFar.width(), static_cast<int>(i) / soFar.width()); };
+    const auto at = [&](std::size_t i) {
+        return std::pair(static_cast<int>(i) % soFar.width(), static_cast<int>(i) / soFar.width());
+    };
     for (std::size_t i = 0; i < wanted.size(); ++i) {
         const auto [x, y] = at(i);
         shown.set(x, y, soFar[i].mean / (soFar[i].mean + middle));

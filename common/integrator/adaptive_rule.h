@@ -18,8 +18,8 @@ public:
     virtual std::vector<Real> wanted(const PixelEstimates& soFar) const = 0;
 };
 
-/// The report's ①: pixels in which light takes different ways, by the hash of the path through each of the four corners.
-/// They want paths for ever, those with the fewest first.
+/// The report's ①: pixels in which light takes different ways, by the hash of the path through each of the four
+/// corners. They want paths for ever, those with the fewest first.
 class HashRule final : public AdaptiveRule {
 public:
     /// @param maxLength  segments of a path
@@ -34,8 +34,8 @@ private:
 };
 
 /// The report's ②: pixels at edges of the picture so far, and in its noise. A pixel is at an edge when the Laplacian is
-/// larger than a threshold in any channel. Values v are compressed before to v/(v + m), m being the picture's mean: from 0
-/// for black to 1/2 for the mean and 1 for the brightest, however bright the scene is.
+/// larger than a threshold in any channel. Values v are compressed before to v/(v + m), m being the picture's mean:
+/// from 0 for black to 1/2 for the mean and 1 for the brightest, however bright the scene is.
 class EdgeRule final : public AdaptiveRule {
 public:
     /// @param threshold  of the Laplacian of the compressed picture, greater than 0 and at most 4
@@ -64,10 +64,10 @@ private:
     Real deviations_;
 };
 
-/// Pixels in which a further batch takes most off the picture's squared error: the variance of a mean, V, over the number
-/// of batches, n, since V − V n/(n + 1) = V/(n + 1). It has paths go as the noise's deviation does, which is what makes the
-/// squared error of the whole least. They want paths for ever.
-/// Source: Neyman 1934, On the Two Different Aspects of the Representative Method, V.
+/// Pixels in which a further batch takes most off the picture's squared error: the variance of a mean, V, over the
+/// number of batches, n, since V − V n/(n + 1) = V/(n + 1). It has paths go as the noise's deviation does, which is
+/// what makes the squared error of the whole least. They want paths for ever. Source: Neyman 1934, On the Two Different
+/// Aspects of the Representative Method, V.
 class GainRule final : public AdaptiveRule {
 public:
     std::vector<Real> wanted(const PixelEstimates& soFar) const override;

@@ -11,9 +11,9 @@ namespace caustic {
 /// What is known of a pixel's mean after some batches of paths, each of the same number. Whole batches are entered: the
 /// paths of one may hang together (they share photons, or are spread evenly), those of different ones don't.
 struct PixelEstimate {
-    std::int64_t batches = 0;        ///< so far
-    Color mean = Color::Zero();      ///< of them
-    Color squares = Color::Zero();   ///< sum of the batches' squared distances from their mean
+    std::int64_t batches = 0;       ///< so far
+    Color mean = Color::Zero();     ///< of them
+    Color squares = Color::Zero();  ///< sum of the batches' squared distances from their mean
 
     /// Enters the mean of a batch. However large the mean is beside the noise, squares stay exact to a few roundings.
     /// Source: Welford 1962, Note on a Method for Calculating Corrected Sums of Squares and Products.
@@ -22,15 +22,15 @@ struct PixelEstimate {
     /// Estimated variance of `mean`, of each channel; infinite before the second batch.
     Color variance() const;
 
-    /// Half the width of the interval around `mean` in which the true mean lies as often as a normal variable lies within
-    /// `deviations` of its own, of each channel; infinite before the second batch. The fewer batches the wider, since the
-    /// variance is an estimate as well: Student's t.
+    /// Half the width of the interval around `mean` in which the true mean lies as often as a normal variable lies
+    /// within `deviations` of its own, of each channel; infinite before the second batch. The fewer batches the wider,
+    /// since the variance is an estimate as well: Student's t.
     /// @param deviations  greater than 0; 1.96 for 95 %
     Color halfWidth(Real deviations) const;
 };
 
-/// Where Student's t, of so many degrees of freedom, has the tail that a normal variable has beyond `deviations`. Off by
-/// less than 0.2 % from three degrees on and 2 % with two, for up to two deviations; with one it is a lower bound.
+/// Where Student's t, of so many degrees of freedom, has the tail that a normal variable has beyond `deviations`. Off
+/// by less than 0.2 % from three degrees on and 2 % with two, for up to two deviations; with one it is a lower bound.
 /// Source: Fisher, Cornish 1960; Abramowitz, Stegun, 26.7.5.
 /// @param deviations  greater than 0
 /// @param degrees     of freedom, at least 1

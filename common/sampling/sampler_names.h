@@ -14,7 +14,8 @@ const std::vector<std::string>& samplerNames();
 /// Makes a sampler.
 /// @param name   one of samplerNames()
 /// @param seed   of everything
-/// @param paths  of a pixel, at least 1: the stratified sampler's grid has the next square number of cells, 4096² at most
+/// @param paths  of a pixel, at least 1: the stratified sampler's grid has the next square number of cells, 4096² at
+/// most
 /// @throws InputError for another name, or a number out of its range
 std::unique_ptr<const Sampler> makeSampler(const std::string& name, std::uint64_t seed, std::int64_t paths);
 

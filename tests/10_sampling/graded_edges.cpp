@@ -11,8 +11,7 @@ constexpr int height = 7;
 // Left of column 6 one colour, right of it another one.
 PixelEstimates step(const Color& left, const Color& right) {
     PixelEstimates estimates(width, height);
-    for (std::size_t i = 0; i < estimates.size(); ++i)
-        estimates[i] = {1, i % width < 6 ? left : right, Color::Zero()};
+    for (std::size_t i = 0; i < estimates.size(); ++i) estimates[i] = {1, i % width < 6 ? left : right, Color::Zero()};
     return estimates;
 }
 

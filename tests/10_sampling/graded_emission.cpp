@@ -18,7 +18,8 @@ std::vector<Vec2> points(CellPlace place, std::int64_t round, Dimension dimensio
     const EmissionSampler sampler(seed, columns, rows, place);
     std::vector<Vec2> all;
     for (std::uint32_t cell = 0; cell < columns * rows; ++cell)
-        all.push_back(sampler.pointOf(cell, {2, {0, 0}, round * columns * rows + (cell * 5) % (columns * rows)}, dimension));
+        all.push_back(
+            sampler.pointOf(cell, {2, {0, 0}, round * columns * rows + (cell * 5) % (columns * rows)}, dimension));
     return all;
 }
 
@@ -47,7 +48,8 @@ TEST(EmissionSampler, FillsItsCells) {
         constexpr int rounds = 400;
         for (std::int64_t round = 0; round < rounds; ++round) {
             for (const Vec2& u : points(place, round, Dimension::emissionPoint())) {
-                const Vec2 within(u.x() * columns - std::floor(u.x() * columns), u.y() * rows - std::floor(u.y() * rows));
+                const Vec2 within(u.x() * columns - std::floor(u.x() * columns),
+                                  u.y() * rows - std::floor(u.y() * rows));
                 ++counts[6 * static_cast<std::size_t>(6 * within.x()) + static_cast<std::size_t>(6 * within.y())];
             }
         }
@@ -81,7 +83,8 @@ TEST(EmissionSampler, OffsetsHaveOrdersOfTheirOwn) {
             for (std::uint32_t column = 0; column < columns; ++column, ++lines) {
                 std::vector<std::uint32_t> order;
                 for (std::uint32_t row = 0; row < rows; ++row)
-                    order.push_back(static_cast<std::uint32_t>(all[row * columns + column].x() * columns * rows) % rows);
+                    order.push_back(static_cast<std::uint32_t>(all[row * columns + column].x() * columns * rows) %
+                                    rows);
                 orders.insert(order);
             }
         }

@@ -35,7 +35,8 @@ TEST(PixelEstimate, HasTheMeanAndTheSquaresAboutIt) {
     }
 }
 
-// Noise of a hundred-millionth on a bright pixel: a sum of squares from which the squared mean is taken has no digit of it.
+// Noise of a hundred-millionth on a bright pixel: a sum of squares from which the squared mean is taken has no digit of
+// it.
 TEST(PixelEstimate, KeepsSmallNoiseOnLargeValues) {
     for (const Real scale : {1e-9, 1.0, 1e12}) {
         PixelEstimate estimate;

@@ -46,12 +46,12 @@ TEST(PathHash, IsTheSameForTheSameWay) {
 TEST(PathHash, TellsObjectsApart) {
     Room room;
     std::set<std::uint64_t> hashes;
-    hashes.insert(room.hash(eye, {-2, 0, 2}));        // left floor
-    hashes.insert(room.hash(eye, {2, 0, 2.5}));       // right floor
-    hashes.insert(room.hash(eye, {0.1, 3, -4}));      // wall
-    hashes.insert(room.hash(eye, {-1.5, 1.25, 0}));   // through the glass
-    hashes.insert(room.hash(eye, {1.7, 1.55, 0}));    // over the mirror
-    hashes.insert(room.hash(eye, {0, 4.5, 20}));      // out of the room
+    hashes.insert(room.hash(eye, {-2, 0, 2}));       // left floor
+    hashes.insert(room.hash(eye, {2, 0, 2.5}));      // right floor
+    hashes.insert(room.hash(eye, {0.1, 3, -4}));     // wall
+    hashes.insert(room.hash(eye, {-1.5, 1.25, 0}));  // through the glass
+    hashes.insert(room.hash(eye, {1.7, 1.55, 0}));   // over the mirror
+    hashes.insert(room.hash(eye, {0, 4.5, 20}));     // out of the room
     EXPECT_EQ(hashes.size(), 6U) << "Do the objects of the whole path go in, and a way out of the scene, too?";
 }
 

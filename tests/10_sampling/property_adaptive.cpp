@@ -32,8 +32,8 @@ TEST(StudentT, IsThatOfTheTables) {
     EXPECT_LT(studentT(1.959964, 1), 12.7063);
 }
 
-Rendering adaptively(Integrator& inner, const Sampler& sampler, const AdaptiveRule& rule, const AdaptiveSettings& settings,
-                     int threads) {
+Rendering adaptively(Integrator& inner, const Sampler& sampler, const AdaptiveRule& rule,
+                     const AdaptiveSettings& settings, int threads) {
     AdaptiveIntegrator adaptive(inner, sampler, rule, settings);
     return renderAdaptively(adaptive, {.threads = threads});
 }
@@ -85,8 +85,7 @@ TEST(Adaptive, GoesOnFromACheckpoint) {
     resume(second, {.choose = [&](const Rendering&) { return second.next(); }}, rendering);
     ASSERT_EQ(rendering.passes, expected.passes);
     for (int y = 0; y < 16; ++y) {
-        for (int x = 0; x < 16; ++x)
-            ASSERT_TRUE((rendering.film.value({x, y}) == expected.film.value({x, y})).all());
+        for (int x = 0; x < 16; ++x) ASSERT_TRUE((rendering.film.value({x, y}) == expected.film.value({x, y})).all());
     }
     std::stringstream cut(file.str().substr(0, 100));
     ByteReader fromCut(cut, "state");
@@ -110,7 +109,8 @@ TEST(AdaptiveRules, SendPathsWhereTheNoiseIs) {
     for (const AdaptiveRule* const rule : rules) {
         SyntheticIntegrator inner(scene, sampler, filter,
                                   [](const Vec2& film, Real number) { return film.x() < 12 ? 0.5 : number; });
-        AdaptiveIntegrator adaptive(inner, sampler, *rule, {.batch = 2, .first = 4, .paths = 24 * 12 * 20, .share = 0.1});
+        AdaptiveIntegrator adaptive(inner, sampler, *rule,
+                                    {.batch = 2, .first = 4, .paths = 24 * 12 * 20, .share = 0.1});
         renderAdaptively(adaptive, {});
         std::int64_t quiet = 0;
         std::int64_t noisy = 0;
@@ -156,8 +156,8 @@ Real totalOf(const Image& picture) {
     return sum;
 }
 
-// Deciding apart, the mean is right where stopping on one's own values makes it too dark: 1 with a chance of a fifth each
-// time, in 1024 pixels.
+// Deciding apart, the mean is right where stopping on one's own values makes it too dark: 1 with a chance of a fifth
+// each time, in 1024 pixels.
 TEST(Adaptive, ApartTheMeanIsRight) {
     const Scene scene = emptyPicture(32, 32);
     const BoxFilter filter;
@@ -167,7 +167,8 @@ TEST(Adaptive, ApartTheMeanIsRight) {
     constexpr int pictures = 8;
     for (std::uint64_t seed = 0; seed < pictures; ++seed) {
         const IndependentSampler sampler(100 + seed);
-        SyntheticIntegrator inner(scene, sampler, filter, [](const Vec2&, Real number) { return number < 0.2 ? 5 : 0; });
+        SyntheticIntegrator inner(scene, sampler, filter,
+                                  [](const Vec2&, Real number) { return number < 0.2 ? 5 : 0; });
         const auto mean = [&](const AdaptiveSettings& settings) {
             const Image picture = adaptively(inner, sampler, rule, settings, 1).film.image();
             return totalOf(picture) / (3 * 1024.0 * pictures);

@@ -29,7 +29,8 @@ TEST(Samplers, NumbersAreUniform) {
             std::vector<double> numbers(64, 0);
             constexpr int paths = 40'000;
             for (int i = 0; i < paths; ++i) {
-                const PathNumbers path = sampler->start(static_cast<std::uint64_t>(i % 3), {i / 5 % 90, i / 450}, i % 5);
+                const PathNumbers path =
+                    sampler->start(static_cast<std::uint64_t>(i % 3), {i / 5 % 90, i / 450}, i % 5);
                 const Vec2 u = path.pair({dimension});
                 const Real v = path.number({dimension + 5});
                 ASSERT_TRUE(u.minCoeff() >= 0 && u.maxCoeff() < 1 && v >= 0 && v < 1);
@@ -61,8 +62,8 @@ TEST(HaltonSampler, SpreadsThePathsOfAPixel) {
               HaltonSampler(8).start(0, {4, 2}, 1).pair(Dimension::film()));
 }
 
-// Place and direction of a photon aren't tied to each other: with as many cells as photons each of 36 pairs of halves of
-// the two occurs.
+// Place and direction of a photon aren't tied to each other: with as many cells as photons each of 36 pairs of halves
+// of the two occurs.
 TEST(EmissionSampler, PlaceAndDirectionAreShuffledApart) {
     const EmissionSampler sampler(4, 30, 30, CellPlace::Centre);
     std::vector<double> counts(81, 0);

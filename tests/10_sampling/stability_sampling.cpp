@@ -25,8 +25,9 @@ TEST(RenderCommand, RendersByEachRuleAndSampler) {
                                                {"--rule", "edges", "--sampler", "stratified"},
                                                {"--rule", "interval", "--tolerance", "0.1"},
                                                {"--rule", "gain"}}) {
-        std::vector<std::string> command = {test::chapterProgram(), "--render", "box", "--width", "12", "--paths", "20",
-                                            "--out", (folder / "out").string()};
+        std::vector<std::string> command = {
+            test::chapterProgram(),   "--render", "box", "--width", "12", "--paths", "20", "--out",
+            (folder / "out").string()};
         command.insert(command.end(), more.begin(), more.end());
         const auto result = runProcess(command);
         EXPECT_EQ(result->exitCode, 0) << result->output;
@@ -36,16 +37,15 @@ TEST(RenderCommand, RendersByEachRuleAndSampler) {
 }
 
 TEST(RenderCommand, BadInputIsOneLineAndWritesNothing) {
-    const std::vector<std::vector<std::string>> bad = {
-        {"--render", "teapot"},
-        {"--render", "box", "--paths", "0"},
-        {"--render", "box", "--paths", "1.5"},
-        {"--render", "box", "--width", "0"},
-        {"--render", "box", "--width", "100000"},
-        {"--render", "box", "--tolerance", "0"},
-        {"--render", "box", "--tolerance", "nan"},
-        {"--render", "box", "--sampler", "latin"},
-        {"--render", "box", "--rule", "all"}};
+    const std::vector<std::vector<std::string>> bad = {{"--render", "teapot"},
+                                                       {"--render", "box", "--paths", "0"},
+                                                       {"--render", "box", "--paths", "1.5"},
+                                                       {"--render", "box", "--width", "0"},
+                                                       {"--render", "box", "--width", "100000"},
+                                                       {"--render", "box", "--tolerance", "0"},
+                                                       {"--render", "box", "--tolerance", "nan"},
+                                                       {"--render", "box", "--sampler", "latin"},
+                                                       {"--render", "box", "--rule", "all"}};
     for (const std::vector<std::string>& arguments : bad) {
         const test::TemporaryFolder folder;
         std::vector<std::string> command = arguments;

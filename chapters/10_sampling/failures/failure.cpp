@@ -4,7 +4,7 @@
 namespace caustic {
 
 void chartFailures(FigureContext& context) {
-    drawFailureBars(countFailures(samplingFailures(), FailureTrials::of(context, context.byQuality(1000, 2000))), context);
+    drawFailureBars(countFailures(samplingFailures(), FailureTrials::of(context, 1000)), context);
 }
 
 }  // namespace caustic

@@ -15,7 +15,10 @@
 namespace caustic {
 
 Scene emptyPicture(int width, int height) {
-    return Scene({{}, {}, Color::Zero(), std::make_shared<PinholeCamera>(Vec3::Zero(), Vec3::UnitZ(), Vec3::UnitY(), 1, width, height)});
+    return Scene({{},
+                  {},
+                  Color::Zero(),
+                  std::make_shared<PinholeCamera>(Vec3::Zero(), Vec3::UnitZ(), Vec3::UnitY(), 1, width, height)});
 }
 
 namespace {
@@ -38,8 +41,8 @@ private:
     Dimension dimension_;
 };
 
-// Photons of a cone light in a wedge of it. The numbers of the place, which a lamp at a point has no use for, are spread
-// evenly; or those of the direction.
+// Photons of a cone light in a wedge of it. The numbers of the place, which a lamp at a point has no use for, are
+// spread evenly; or those of the direction.
 std::vector<bool> wrongDimension(Random& random) {
     const ConeLight light(Vec3(0, 1, 0), -Vec3::UnitY(), random.uniform(0.1, 1.2), Color::Ones());
     const Real start = random.uniform(-pi, pi);
@@ -88,8 +91,8 @@ Real brightness(const Rendering& rendering) {
     return sum / (rendering.film.width() * rendering.film.height());
 }
 
-// Pixels that a bright path meets one time in 3 to 8, as behind a hole in the leaves. Those that have met none so far look
-// finished.
+// Pixels that a bright path meets one time in 3 to 8, as behind a hole in the leaves. Those that have met none so far
+// look finished.
 std::vector<bool> stoppedEarly(Random& random) {
     constexpr int side = 16;
     static const Scene scene = emptyPicture(side, side);

@@ -6,8 +6,8 @@
 
 namespace caustic {
 
-/// A method without a scene to speak of: what a path brings is a function of its place on the film and of a further number,
-/// uniform in [0, 1).
+/// A method without a scene to speak of: what a path brings is a function of its place on the film and of a further
+/// number, uniform in [0, 1).
 class SyntheticIntegrator final : public Integrator {
 public:
     using Value = std::function<Real(const Vec2& film, Real number)>;
@@ -20,7 +20,8 @@ public:
 
     Color tracePath(const PathId& path, std::vector<Splat>&, RayCounts&) const override {
         const PathNumbers numbers = sampler().start(eyeStream, path.pixel, path.index);
-        const Vec2 film = Vec2(path.pixel.x + 0.5, path.pixel.y + 0.5) + filter().sample(numbers.pair(Dimension::film()));
+        const Vec2 film =
+            Vec2(path.pixel.x + 0.5, path.pixel.y + 0.5) + filter().sample(numbers.pair(Dimension::film()));
         return Color::Constant(value_(film, numbers.number(Dimension::vertex(0, VertexUse::Lobe))));
     }
 

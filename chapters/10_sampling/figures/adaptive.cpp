@@ -35,7 +35,8 @@ void drawStudy(const std::string& name, int shownWidth, const ChapterInputs& cha
     int column = 0;
     for (const std::int64_t each : {few, passes}) {
         const auto uniform = what.method(scene, sampler);
-        show(column++, "uniform: " + std::to_string(each) + " a pixel", takePicture(*uniform, each, what.tone, context));
+        show(column++, "uniform: " + std::to_string(each) + " a pixel",
+             takePicture(*uniform, each, what.tone, context));
     }
     context.progress().advance(progressSteps);
 

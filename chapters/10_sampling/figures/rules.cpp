@@ -21,11 +21,9 @@ void drawRules(FigureContext& context) {
         return Tile{caption, [&](int, int) {
                         const IndependentSampler sampler(context.seed());
                         const auto inner = what.method(scene, sampler);
-                        AdaptiveIntegrator adaptive(*inner, sampler, rule,
-                                                    {.batch = 4,
-                                                     .first = 8,
-                                                     .paths = std::int64_t{32} * width * width,
-                                                     .share = 0.1});
+                        AdaptiveIntegrator adaptive(
+                            *inner, sampler, rule,
+                            {.batch = 4, .first = 8, .paths = std::int64_t{32} * width * width, .share = 0.1});
                         requireFinite(renderAdaptively(adaptive, {.threads = context.threads()}));
                         return heatMap(adaptive, 8, 512);
                     }};

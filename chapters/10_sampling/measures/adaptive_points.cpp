@@ -45,15 +45,16 @@ Measurement meanOf(const std::vector<Real>& values) {
     return {mean, std::sqrt(squares / (count * (count - 1)))};
 }
 
-// Of each pixel, the squared deviation of one picture from the mean of the others; (n − 1)/n of it has the variance for a
-// mean.
+// Of each pixel, the squared deviation of one picture from the mean of the others; (n − 1)/n of it has the variance for
+// a mean.
 std::vector<Real> deviations(const std::vector<Taken>& taken, std::size_t which) {
     const std::size_t values = taken[which].picture.data().size();
     const auto others = static_cast<Real>(taken.size() - 1);
     std::vector<Real> pixels(values / 3, 0);
     for (std::size_t i = 0; i < values; ++i) {
         Real mean = 0;
-        for (std::size_t k = 0; k < taken.size(); ++k) mean += k == which ? 0 : Real(taken[k].picture.data()[i]) / others;
+        for (std::size_t k = 0; k < taken.size(); ++k)
+            mean += k == which ? 0 : Real(taken[k].picture.data()[i]) / others;
         const Real off = Real(taken[which].picture.data()[i]) - mean;
         pixels[i / 3] += off * off * others / (others + 1) / 3;
     }
@@ -128,6 +129,8 @@ std::vector<Taking> waysToTake(std::int64_t paths, bool all) {
     // As tight as paths last: those with the widest intervals come first.
     add("③ widest interval", [](const Scene&) { return std::make_unique<IntervalRule>(1e-6); });
     add("largest gain", [](const Scene&) { return std::make_unique<GainRule>(); });
+    add("largest gain, decided apart", [](const Scene&) { return std::make_unique<GainRule>(); });
+    ways.back().settings.apart = true;
     return ways;
 }
 
@@ -161,7 +164,11 @@ std::vector<AdaptivePoint> adaptivePoints(FigureContext& context) {
                 const Measurement gain = ratio(noises[0].variance, own.variance);
                 const Real slower = noises[0].seconds / own.seconds;
                 const Measurement share = ratio(own.mean, noises[0].mean);
-                points.push_back({job.scene, ways[i].method, paths, own, gain,
+                points.push_back({job.scene,
+                                  ways[i].method,
+                                  paths,
+                                  own,
+                                  gain,
                                   {gain.value * slower, gain.error * slower},
                                   ratio(noises[0].worst, own.worst),
                                   {share.value - 1, share.error}});

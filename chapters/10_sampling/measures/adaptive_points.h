@@ -29,8 +29,8 @@ struct PictureNoise {
 
 /// How a picture is taken, uniform without a rule.
 struct Taking {
-    std::string method;                                                         ///< as charts call it
-    std::function<std::unique_ptr<AdaptiveRule>(const Scene& scene)> rule = {}; ///< none for uniform
+    std::string method;                                                          ///< as charts call it
+    std::function<std::unique_ptr<AdaptiveRule>(const Scene& scene)> rule = {};  ///< none for uniform
     AdaptiveSettings settings = {};
     std::int64_t passes = 0;  ///< of a uniform one
 };

@@ -8,8 +8,8 @@ namespace caustic {
 void chartSpeedAccuracy(ChapterRuns& runs, FigureContext& context) {
     CsvTable table({"method", "setting", "time", "time_unit", "error", "error_unit"});
     for (const SamplerPoint& point : runs.samplers(context))
-        table.addRow(point.sampler, "scene=" + point.scene + ";samples=" + std::to_string(point.samples),
-                     point.seconds, "s", point.error, "radiance (rms)");
+        table.addRow(point.sampler, "scene=" + point.scene + ";samples=" + std::to_string(point.samples), point.seconds,
+                     "s", point.error, "radiance (rms)");
     table.save(context.output("speed_accuracy.csv"));
     context.chart("measures/speed_accuracy.gp", "speed_accuracy.png");
 }

@@ -16,7 +16,7 @@ set ylabel "error of the radiance, rms"
 do for [s=1:2] {
     set title names[s] font ",15"
     if (s == 1) { set key at graph 0.02,0.03 left bottom Left reverse opaque noenhanced } else { unset key }
-    plot [2:8192][lowest[s]:highest[s]] for [k=-16:9] 10**(k / 4.0) / sqrt(x) with lines lc rgb "#cccccc" lw 1 notitle, \
+    plot [2:2048][lowest[s]:highest[s]] for [k=-16:9] 10**(k / 4.0) / sqrt(x) with lines lc rgb "#cccccc" lw 1 notitle, \
          for [m=1:4] file every ::0 using (strcol(1) eq samplers[m] && setting_text(strcol(2), "scene") eq scenes[s] ? setting_number(strcol(2), "samples") : NaN):3 with linespoints lt m lw 2.2 ps 1.3 title titles[m]
 }
 unset multiplot

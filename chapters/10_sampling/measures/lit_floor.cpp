@@ -23,8 +23,8 @@ SceneDescription floorScene(const std::array<Vec3, 4>& lamp, std::shared_ptr<con
     return scene;
 }
 
-// Irradiance over radiance at a point of the floor: Lambert 1760, the sum over the polygon's edges of the angle that each
-// subtends times the cosine between the floor's normal and that of the edge's plane, halved.
+// Irradiance over radiance at a point of the floor: Lambert 1760, the sum over the polygon's edges of the angle that
+// each subtends times the cosine between the floor's normal and that of the edge's plane, halved.
 Real irradiance(const std::array<Vec3, 4>& lamp, const Vec3& point) {
     Real sum = 0;
     for (std::size_t i = 0; i < lamp.size(); ++i) {
@@ -42,8 +42,9 @@ LitFloor::LitFloor(const Corners& lamp, std::shared_ptr<const Camera> camera)
     : lamp_(lamp), scene_(floorScene(lamp, std::move(camera))) {}
 
 LitFloor LitFloor::under(int width) {
-    return {{Vec3(-0.7, 1.4, -0.9), Vec3(0.6, 1.4, -0.9), Vec3(0.6, 1.4, 0.3), Vec3(-0.7, 1.4, 0.3)},
-            std::make_shared<PinholeCamera>(Vec3(0.3, 1.2, 1.1), Vec3(-0.1, 0, -0.3), Vec3::UnitY(), 0.8, width, width)};
+    return {
+        {Vec3(-0.7, 1.4, -0.9), Vec3(0.6, 1.4, -0.9), Vec3(0.6, 1.4, 0.3), Vec3(-0.7, 1.4, 0.3)},
+        std::make_shared<PinholeCamera>(Vec3(0.3, 1.2, 1.1), Vec3(-0.1, 0, -0.3), Vec3::UnitY(), 0.8, width, width)};
 }
 
 LitFloor LitFloor::beside(int width) {

@@ -7,16 +7,16 @@
 
 namespace caustic {
 
-/// A coloured floor, y = 0, lit by a rectangular lamp with nothing between, and no lamp in view. What its picture should
-/// be is known in closed form.
+/// A coloured floor, y = 0, lit by a rectangular lamp with nothing between, and no lamp in view. What its picture
+/// should be is known in closed form.
 class LitFloor {
 public:
     /// Under a lamp: as smooth as light gets.
     /// @param width  of the square picture, pixels
     static LitFloor under(int width);
 
-    /// Beside a lamp that stands on it like a wall, to the left of the picture: light comes from everywhere near by, from
-    /// next to nowhere far away.
+    /// Beside a lamp that stands on it like a wall, to the left of the picture: light comes from everywhere near by,
+    /// from next to nowhere far away.
     static LitFloor beside(int width);
 
     /// What is rendered.
@@ -25,8 +25,8 @@ public:
     /// Segments of a path: eye, floor, lamp.
     static constexpr int segments = 2;
 
-    /// The mean radiance of each pixel: Lambert's formula for a polygon, integrated over the pixel by Gauss and Legendre's
-    /// rule. Source: Lambert 1760, Photometria.
+    /// The mean radiance of each pixel: Lambert's formula for a polygon, integrated over the pixel by Gauss and
+    /// Legendre's rule. Source: Lambert 1760, Photometria.
     Image truth() const;
 
 private:

@@ -47,8 +47,7 @@ Real PhotonPattern::expected(int x, int y) const {
     if (place.norm() > reach * (1 - 2.0 / width_)) return 0;
     const Real cosine = 1 / std::sqrt(1 + place.squaredNorm());
     const Real area = std::pow(2 * reach / width_, 2);
-    return static_cast<Real>(photons) * area * std::pow(cosine, 3) /
-           (2 * std::numbers::pi * (1 - std::cos(halfAngle)));
+    return static_cast<Real>(photons) * area * std::pow(cosine, 3) / (2 * std::numbers::pi * (1 - std::cos(halfAngle)));
 }
 
 Image PhotonPattern::picture() const {
@@ -107,7 +106,8 @@ std::vector<Emission> emissions(std::uint64_t seed) {
     std::vector<Emission> all;
     all.push_back({"random", std::make_unique<IndependentSampler>(seed)});
     const auto add = [&](const std::string& name, CellPlace place) {
-        all.push_back({name, std::make_unique<EmissionSampler>(seed, PhotonPattern::columns, PhotonPattern::rows, place)});
+        all.push_back(
+            {name, std::make_unique<EmissionSampler>(seed, PhotonPattern::columns, PhotonPattern::rows, place)});
     };
     add("plain grid", CellPlace::Centre);
     add("jittered grid", CellPlace::Jittered);

@@ -10,8 +10,8 @@
 
 namespace caustic {
 
-/// Where the photons of a cone light land on a floor, as a picture of counts: the light stands 1 m above the middle, the
-/// picture shows the lit disc's bounding square.
+/// Where the photons of a cone light land on a floor, as a picture of counts: the light stands 1 m above the middle,
+/// the picture shows the lit disc's bounding square.
 class PhotonPattern {
 public:
     /// The report's number of photons, as 100 × 500 cells.
@@ -25,12 +25,12 @@ public:
     /// Photons in each pixel over those that should be in it, 0 outside the disc.
     Image picture() const;
 
-    /// Power of the difference between counts and their mean, by direction and frequency: of photons without any order it
-    /// is 1 on average at each frequency. A window takes the disc's edge away.
+    /// Power of the difference between counts and their mean, by direction and frequency: of photons without any order
+    /// it is 1 on average at each frequency. A window takes the disc's edge away.
     struct Spectrum {
-        std::vector<Real> power;      ///< mean over the ring of each frequency, in periods across the picture: from 0
-        Real peak = 0;                ///< the largest of these, from 4 periods on: a pattern, where it is far above 1
-        Real low = 0;                 ///< mean power of 1 to lowest periods across the picture
+        std::vector<Real> power;  ///< mean over the ring of each frequency, in periods across the picture: from 0
+        Real peak = 0;            ///< the largest of these, from 4 periods on: a pattern, where it is far above 1
+        Real low = 0;             ///< mean power of 1 to lowest periods across the picture
     };
     /// Periods across the picture that count as low: blobs of a sixteenth of it and larger.
     static constexpr int lowest = 16;

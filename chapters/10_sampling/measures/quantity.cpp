@@ -20,12 +20,12 @@ namespace {
 
 void addSlopes(CsvTable& table, ChapterRuns& runs, FigureContext& context) {
     for (const std::string& name : samplerNames()) {
-        table.addRow(name, "slope of the error over paths, smooth floor", slopeOf(runs.samplers(context), "smooth", name),
-                     "", name == "random" ? "-0.5" : "");
+        table.addRow(name, "slope of the error over paths, smooth floor",
+                     slopeOf(runs.samplers(context), "smooth", name), "", name == "random" ? "-0.5" : "");
     }
     for (const std::string& name : samplerNames())
-        table.addRow(name, "slope of the error over paths, caustic", slopeOf(runs.samplers(context), "caustic", name), "",
-                     "-0.5");
+        table.addRow(name, "slope of the error over paths, caustic", slopeOf(runs.samplers(context), "caustic", name),
+                     "", "-0.5");
 }
 
 // What a pair of numbers costs.
@@ -35,9 +35,12 @@ void addCosts(CsvTable& table, FigureContext& context) {
     for (const std::string& name : samplerNames()) samplers.push_back(makeSampler(name, context.seed(), 256));
     std::int64_t index = 0;
     for (const auto& sampler : samplers)
-        pieces.push_back([&index, &sampler] { keep(sampler->start(0, {3, 4}, ++index % 4096).pair(Dimension::film())); });
+        pieces.push_back([&index, &sampler] {
+            keep(sampler->start(0, {3, 4}, ++index % 4096).pair(Dimension::film()));
+        });
     const std::vector<double> times = medianNanoseconds(pieces, {});
-    for (std::size_t i = 0; i < times.size(); ++i) table.addRow(samplerNames()[i], "a pair of numbers", times[i], "ns", "");
+    for (std::size_t i = 0; i < times.size(); ++i)
+        table.addRow(samplerNames()[i], "a pair of numbers", times[i], "ns", "");
 }
 
 // Errors of the photons' density at low frequencies, and the largest of all waves.
@@ -47,9 +50,10 @@ void addSpectra(CsvTable& table, FigureContext& context) {
     for (const Emission& way : ways) {
         const auto spectrum = PhotonPattern(*way.sampler, 256, 0, context.threads()).spectrum();
         if (random == 0) random = spectrum.low;
-        table.addRow(way.name, "50,000 photons: error at 1 to " + std::to_string(PhotonPattern::lowest) +
-                         " periods across the picture", std::sqrt(spectrum.low / random), "of random photons'",
-                     way.name == "random" ? "1" : "at most 1/3");
+        table.addRow(
+            way.name,
+            "50,000 photons: error at 1 to " + std::to_string(PhotonPattern::lowest) + " periods across the picture",
+            std::sqrt(spectrum.low / random), "of random photons'", way.name == "random" ? "1" : "at most 1/3");
         table.addRow(way.name, "50,000 photons: spectral peak, largest power of any frequency", spectrum.peak,
                      "of random photons' mean", "");
     }
@@ -92,13 +96,20 @@ void addBias(CsvTable& table, FigureContext& context) {
     const auto rule = [](const Scene&) { return std::make_unique<IntervalRule>(0.05); };
     const std::vector<Taking> ways = {
         {"uniform", {}, {}, context.byQuality(64, 512)},
-        {"③ from 4 paths on, each pixel by itself", rule,
-         {.batch = 1, .first = 4, .most = 512, .share = 1, .spread = 0}, 0},
-        {"③ from 16 paths on, in batches of 4", rule, {.batch = 4, .first = 16, .most = 512, .share = 1, .spread = 0}, 0},
+        {"③ from 4 paths on, each pixel by itself",
+         rule,
+         {.batch = 1, .first = 4, .most = 512, .share = 1, .spread = 0},
+         0},
+        {"③ from 16 paths on, in batches of 4",
+         rule,
+         {.batch = 4, .first = 16, .most = 512, .share = 1, .spread = 0},
+         0},
         {"③ from 16 paths on, with neighbours", rule, {.batch = 4, .first = 16, .most = 512, .share = 1}, 0},
         {"③ from 64 paths on, with neighbours", rule, {.batch = 16, .first = 64, .most = 512, .share = 1}, 0},
-        {"③ decided by paths that don't count", rule,
-         {.batch = 4, .first = 32, .most = 512, .share = 1, .apart = true}, 0}};
+        {"③ decided by paths that don't count",
+         rule,
+         {.batch = 4, .first = 32, .most = 512, .share = 1, .apart = true},
+         0}};
     const std::vector<PictureNoise> noises = noiseOf(study("bunny"), width, ways, seeds, context);
     for (std::size_t i = 1; i < ways.size(); ++i) {
         const Measurement share = ratio(noises[i].mean, noises[0].mean);
@@ -134,13 +145,11 @@ void addPathCounts(CsvTable& table, FigureContext& context) {
 }  // namespace
 
 void tabulateQuantities(ChapterRuns& runs, FigureContext& context) {
-    writeQuantities({[&](CsvTable& table) { addSlopes(table, runs, context); },
-                     [&](CsvTable& table) { addCosts(table, context); },
-                     [&](CsvTable& table) { addSpectra(table, context); },
-                     [&](CsvTable& table) { addImportance(table, context); },
-                     [&](CsvTable& table) { addBias(table, context); },
-                     [&](CsvTable& table) { addPathCounts(table, context); }},
-                    context);
+    writeQuantities(
+        {[&](CsvTable& table) { addSlopes(table, runs, context); }, [&](CsvTable& table) { addCosts(table, context); },
+         [&](CsvTable& table) { addSpectra(table, context); }, [&](CsvTable& table) { addImportance(table, context); },
+         [&](CsvTable& table) { addBias(table, context); }, [&](CsvTable& table) { addPathCounts(table, context); }},
+        context);
 }
 
 }  // namespace caustic
