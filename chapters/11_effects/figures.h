@@ -21,6 +21,9 @@ void drawCup(FigureContext& context);
 /// The same still life by three lenses, focused on its middle: depth_of_field.png.
 void drawDepthOfField(FigureContext& context);
 
+/// The final picture without this chapter, and with one part of it after the other: parts.png.
+void drawParts(FigureContext& context);
+
 /// A glass of wine in faint fog, which shows the light's way: volume_light.png.
 void drawVolumeLight(FigureContext& context);
 

@@ -18,6 +18,7 @@ int main(int argc, char** argv) {
             {"normals", drawNormals},
             {"cup", drawCup},
             {"depth_of_field", drawDepthOfField},
+            {"parts", drawParts},
             {"volume_light", drawVolumeLight},
             {"glow", drawGlow},
             {"speed_accuracy", chartSpeedAccuracy, true},

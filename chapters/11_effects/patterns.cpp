@@ -6,6 +6,7 @@
 
 #include "core/random.h"
 #include "math/vector.h"
+#include "sampling/path_stream.h"
 
 namespace caustic {
 
@@ -17,8 +18,8 @@ Real smooth(Real t) { return t * t * (3 - 2 * t); }
 
 // A number in [0, 1) for each cell of a lattice that repeats.
 Real latticeValue(int x, int y, int period, std::uint64_t seed) {
-    const auto inside = [period](int i) { return static_cast<std::uint64_t>((i % period + period) % period); };
-    return Random(seed, {inside(x), inside(y)}).uniform();
+    const auto inside = [period](int i) { return (i % period + period) % period; };
+    return PathStream(seed, {.pixel = {inside(x), inside(y)}}, 0).number({0});
 }
 
 // Perlin's value noise, 1985: smooth between the values of the lattice.

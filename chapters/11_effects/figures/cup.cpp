@@ -19,8 +19,8 @@ void drawCup(FigureContext& context) {
                 const BoxFilter filter;
                 Sppm sppm(
                     scene, sampler, filter,
-                    {.limits = {.maxLength = 24}, .radius = 1.6e-3, .photons = context.byQuality(1 << 17, 1 << 18)});
-                return toneMapped(renderImage(sppm, context.byQuality(3, 32), context), 1.2, 4);
+                    {.limits = {.maxLength = 24}, .radius = 1.6e-3, .photons = context.byQuality(1 << 16, 1 << 18)});
+                return toneMapped(renderImage(sppm, context.byQuality(1, 32), context), 1.2, 4);
             }};
     };
     drawTiles({tile("smooth", std::nullopt), tile("map by nearest pixel", Lookup::Nearest),

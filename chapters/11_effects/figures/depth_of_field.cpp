@@ -46,7 +46,7 @@ SceneDescription ballsScene(Real lensRadius, int width, int height) {
 void drawDepthOfField(FigureContext& context) {
     const auto tile = [&](const std::string& caption, Real radius) {
         return Tile{caption, [&context, radius](int width, int height) {
-                        return tracedPicture(Scene(ballsScene(radius, width, height)), context.byQuality(8, 144), {},
+                        return tracedPicture(Scene(ballsScene(radius, width, height)), context.byQuality(2, 144), {},
                                              context);
                     }};
     };

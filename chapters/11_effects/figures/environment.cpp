@@ -56,7 +56,7 @@ void drawEnvironment(FigureContext& context) {
     };
     const auto sunny = [] { return environmentLight(sunnySky(256), upright); };
     const auto sunnyEvenly = [] { return evenlySampled(environmentLight(sunnySky(256), upright)); };
-    const std::int64_t paths = context.byQuality(4, 64);
+    const std::int64_t paths = context.byQuality(1, 64);
     const std::string times = std::to_string(paths) + " paths";
     drawTiles({tile("the mean colour of a hall from all around", mean, paths, 0.5), tile("the hall", hall, paths, 0.5),
                tile("a sky with a small sun, directions even: " + times, sunnyEvenly, paths, 1.0),

@@ -12,7 +12,7 @@ void drawNormals(FigureContext& context) {
     const auto hall = environmentLight(loadPanorama(context.asset("assets/environments/esplanade.exr")), upright);
     const auto tile = [&](const std::string& caption, Normals normals, Lookup lookup) {
         return Tile{caption, [&context, hall, normals, lookup](int side, int) {
-                        return tracedPicture(Scene(dentedBall(normals, lookup, hall, side)), context.byQuality(4, 16),
+                        return tracedPicture(Scene(dentedBall(normals, lookup, hall, side)), context.byQuality(2, 16),
                                              {.exposure = 0.6}, context);
                     }};
     };

@@ -75,7 +75,7 @@ SceneDescription windowRoom(bool byBrightness, int width, int height) {
 }  // namespace
 
 void drawTextures(FigureContext& context) {
-    const std::int64_t paths = context.byQuality(4, 64);
+    const std::int64_t paths = context.byQuality(2, 64);
     const auto textured = [&](const std::string& caption, Lookup lookup) {
         return Tile{caption, [&context, lookup, paths](int width, int height) {
                         const auto board = std::make_shared<ImageTexture>(motif(), lookup, Wrap::Repeat, Vec2(4, 4));
