@@ -13,7 +13,7 @@
 #include "integrator/sppm.h"
 #include "light/constant_environment.h"
 #include "light/environment_map.h"
-#include "maps.h"
+#include "test_maps.h"
 #include "material/diffuse_material.h"
 #include "material/rough_conductor_material.h"
 #include "modeler/objects.h"

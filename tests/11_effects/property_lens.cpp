@@ -10,7 +10,7 @@
 #include "integrator/bidirectional_path_tracer.h"
 #include "integrator/path_tracer.h"
 #include "integrator/render.h"
-#include "maps.h"
+#include "test_maps.h"
 #include "modeler/diffuse_box.h"
 #include "modeler/objects.h"
 #include "sampling/independent_sampler.h"

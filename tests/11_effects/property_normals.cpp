@@ -10,7 +10,7 @@
 #include "integrator/render.h"
 #include "integrator/sppm.h"
 #include "light/constant_environment.h"
-#include "maps.h"
+#include "test_maps.h"
 #include "material/dielectric_material.h"
 #include "material/diffuse_material.h"
 #include "material/mirror_material.h"

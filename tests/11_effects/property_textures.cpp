@@ -10,7 +10,7 @@
 #include "integrator/render.h"
 #include "light/area_light.h"
 #include "light/weighted_shape.h"
-#include "maps.h"
+#include "test_maps.h"
 #include "material/diffuse_material.h"
 #include "modeler/diffuse_box.h"
 #include "sampling/independent_sampler.h"
