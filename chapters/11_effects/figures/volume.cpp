@@ -60,11 +60,11 @@ void drawVolumeLight(FigureContext& context) {
     settings.beamRadius = 8e-3;
     settings.photons = context.byQuality(1 << 15, 1 << 17);
     settings.places = 8;
-    saveImage(context.output("volume_light.png"), inFog(scene, settings, context.byQuality(4, 20), {1.8, 4}, context));
+    saveImage(context.output("volume_light.png"), inFog(scene, settings, context.byQuality(4, 16), {1.8, 4}, context));
 }
 
 void drawGlow(FigureContext& context) {
-    constexpr int side = 320;
+    const int side = context.byQuality(200, 320);
     context.progress().expect(3 * progressSteps);
     const AirLight light;
     const auto tile = [&](const std::string& caption, MediumDirect direct, int places, std::int64_t passes) {
@@ -79,9 +79,9 @@ void drawGlow(FigureContext& context) {
                         return inFog(scene, settings, passes, {1.5, 4}, context);
                     }};
     };
-    drawTiles({tile("marching, 16 steps", MediumDirect::Marching, 16, 4),
-               tile("photons along the ray", MediumDirect::Photons, 1, context.byQuality(1, 8)),
-               tile("equi-angular, 8 places", MediumDirect::EquiAngular, 8, 1)},
+    drawTiles({tile("marching", MediumDirect::Marching, 16, context.byQuality(1, 4)),
+               tile("photons", MediumDirect::Photons, 1, context.byQuality(1, 8)),
+               tile("equi-angular", MediumDirect::EquiAngular, 8, 1)},
               side, side, "glow.png", context);
 }
 

@@ -70,8 +70,8 @@ Rendering byVolumeSppm(const Scene& scene, const Sampler& sampler, const PixelFi
 }
 
 std::vector<Measured> methods(FigureContext& context) {
-    std::vector<int> passes = {1, 2, 4, 8, 16};
-    std::vector<int> steps = {4, 8, 16, 32, 64};
+    std::vector<int> passes = {1, 4, 16};
+    std::vector<int> steps = {4, 16, 64};
     if (context.quality() == Quality::Report) {
         passes = {1, 4, 16, 64, 256};
         steps = {4, 16, 64, 256, 1024};
