@@ -4,7 +4,7 @@ file = folder."/adaptive.csv"
 array kinds[3] = ["with as many paths", "in the same time", "as many paths: the noisiest 2 % of pixels"]
 array columns[3] = [5, 7, 9]
 array scenes[3] = ["bunny", "box", "cup"]
-array rules[5] = ["① path hash", "② edges", "③ widest interval", "largest gain", "largest gain, decided apart"]
+array rules[5] = ["① path hash", "② edges", "③ widest interval", "largest gain", "largest gain apart"]
 place(rule) = rule eq rules[1] ? 1 : rule eq rules[2] ? 2 : rule eq rules[3] ? 3 : rule eq rules[4] ? 4 : rule eq rules[5] ? 5 : NaN
 set multiplot layout 1,3 margins 0.05,0.99,0.2,0.8 spacing 0.045,0.1 title "Uniform sampling's variance over the adaptive one's\n{/*0.75 with the standard error; the report says 50 for the bunny and 200 for the cup}" font ",20"
 set datafile missing NaN

@@ -129,7 +129,7 @@ std::vector<Taking> waysToTake(std::int64_t paths, bool all) {
     // As tight as paths last: those with the widest intervals come first.
     add("③ widest interval", [](const Scene&) { return std::make_unique<IntervalRule>(1e-6); });
     add("largest gain", [](const Scene&) { return std::make_unique<GainRule>(); });
-    add("largest gain, decided apart", [](const Scene&) { return std::make_unique<GainRule>(); });
+    add("largest gain apart", [](const Scene&) { return std::make_unique<GainRule>(); });
     ways.back().settings.apart = true;
     return ways;
 }
