@@ -31,8 +31,8 @@ struct Beam {
         return point.squaredDistance <= radius * radius && ray.reaches(point.t);
     }
 
-    Ray ray;
-    Real radius = 0;  ///< m, greater than 0
+    Ray ray;          ///< the piece, from tMin to tMax
+    Real radius = 0;  ///< m, at least 0
 };
 
 /// A tree of points that says which of them lie along a beam: all within a radius of a ray, in one question, instead of
