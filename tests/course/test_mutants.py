@@ -36,6 +36,7 @@ class RunMutants(ToyTest):
         self.assertIn("6 mistakes in 4 exercises, all caught by the test that they name; each of the 4 graded tests is the only "
                       "one to catch some mistake", ended.stdout)
         self.assertRegex(ended.stdout, rf"last_value_left_out +ex-01\.1 +{TOTAL} +caught +2")
+        self.assertRegex(ended.stdout, r"from_behind +ex-01\.2 +full points")
 
     def test_what_is_wrong_is_named(self):
         # A mistake that the tests don't see, one that does not compile, one that hangs, one that warns.
@@ -44,6 +45,8 @@ class RunMutants(ToyTest):
         self.change(self.mistakes / "ends_swapped.patch", "return value > high ? low : value",
                     "volatile bool beyond = value > high; while (beyond) {} return value")
         self.change(self.mistakes / "last_value_left_out.patch", "std::size_t i = 0", "int i = 0")
+        self.change(self.mistakes.parent / "alternatives/from_behind.patch", "+    double most = values.back();",
+                    "+    double most = 0;")
         ended = course(self.toy, "mutants", "01")
         self.assertEqual(ended.returncode, 1)
         self.assertIn(f"wrong: search_from_zero: {LARGEST} does not catch it\n", ended.stdout)
@@ -52,7 +55,8 @@ class RunMutants(ToyTest):
         self.assertRegex(ended.stdout, rf"ends_swapped +ex-01\.4 +{CLAMP} +caught +1")
         for test in (LARGEST, MEAN):
             self.assertIn(f"wrong: {test} can be deleted and every mistake is still caught", ended.stdout)
-        self.assertIn("5 complaints, the first:", ended.stderr)
+        self.assertIn(f"wrong: from_behind: is right, and {LARGEST} fails", ended.stdout)
+        self.assertIn("6 complaints, the first:", ended.stderr)
         self.assertEqual(ended.stderr.count("\n"), 1)
 
 
@@ -90,7 +94,7 @@ class ReadMistakes(ToyTest):
         self.refused("exercise: ex-01.2", "exercise: ex-01.1", "changes more than the body of ex-01.1")
 
     def test_a_mistake_stays_in_its_file(self):
-        self.refused("+++ b/common/math/sums.cpp", "+++ b/common/math/sums.h", "a mistake in ex-01.2 changes common/math/sums.cpp")
+        self.refused("+++ b/common/math/sums.cpp", "+++ b/common/math/sums.h", "a patch of ex-01.2 changes common/math/sums.cpp")
 
 
 def result(slug, exercise, named, *caught):

@@ -54,7 +54,8 @@ class Loop(unittest.TestCase):
         self.assertIn("5 exercises to write", self.started.stdout)
         for part in ("course", "tools/course.py", "CMakeLists.txt", "tests/01_first/grading.json", SUMS):
             self.assertTrue((self.tree / part).exists(), part)
-        self.assertFalse((self.tree / "tests/01_first/mistakes").exists(), "Do patches show the solution?")
+        for folder in ("mistakes", "alternatives"):
+            self.assertFalse((self.tree / "tests/01_first" / folder).exists(), "Do patches show the solution?")
         for path in self.tree.rglob("*"):
             if path.is_file() and ".git" not in path.parts and "build" not in path.parts:
                 text = path.read_bytes().decode("utf-8", "replace")

@@ -1,7 +1,8 @@
 """Tries every mistake of tests/NN_name/mistakes on the reference: the test that it names must catch it.
 
-Also checks that each graded test is needed: without it, a mistake would go uncaught. With --systematic it tries mistakes
-that are made by rule instead (docs/mutants.md): how many do the graded tests let through?
+Also checks that each graded test is needed: without it, a mistake would go uncaught; and that every body of
+tests/NN_name/alternatives, right in another way, gets full points. With --systematic it tries mistakes that are made by rule
+instead (docs/mutants.md): how many do the graded tests let through?
 """
 
 import argparse
@@ -13,7 +14,7 @@ from course_lib.packages import ensure_packages
 from course_lib.terminal import Step, count, say, table
 from exercises import student
 from exercises.catalog import read_catalog
-from exercises.mistakes import MutantTree, complaints, mistakes_folder, read_mistakes
+from exercises.mistakes import MutantTree, complaints, mistakes_folder, read_alternatives, read_mistakes
 from exercises.trees import files_to_build, lay_out, work_folder
 from mutation.systematic import run_systematic
 
@@ -75,6 +76,7 @@ def chosen_chapters(words):
 
 def try_chapter(catalog):
     mistakes = read_mistakes(catalog)
+    alternatives = read_alternatives(catalog)
     with work_folder("mutants", keep=True) as folder:
         lay_out(folder / "tree", files_to_build(), {})
         tree = MutantTree(folder / "tree", catalog, folder / "scratch")
@@ -84,16 +86,25 @@ def try_chapter(catalog):
             for mistake in mistakes:
                 results.append(tree.try_mistake(mistake))
                 step.progress(len(results), len(mistakes))
-    wrong = complaints(catalog, results)
-    show(catalog, results, wrong)
+        others = []
+        with Step(f"try {count(len(alternatives), 'alternative')} of {catalog.chapter}") as step:
+            for alternative in alternatives:
+                others.append(tree.try_alternative(alternative))
+                step.progress(len(others), len(alternatives))
+    wrong = complaints(catalog, results) + [f"{o.alternative.slug}: {o.complaint}" for o in others if o.complaint]
+    show(catalog, results, others, wrong)
     return wrong
 
 
-def show(catalog, results, wrong):
+def show(catalog, results, others, wrong):
     rows = [[r.mistake.slug, r.mistake.exercise, r.mistake.caught_by, outcome(r), len(r.caught)] for r in results]
     say()
     say(table(rows, ["mistake", "exercise", "named test", "outcome", "caught by"], right=(4,)))
     say()
+    if others:
+        say(table([[o.alternative.slug, o.alternative.exercise, "REFUSED" if o.complaint else "full points"] for o in others],
+                  ["alternative", "exercise", "outcome"]))
+        say()
     for complaint in wrong:
         say(f"wrong: {complaint}")
     if not wrong:

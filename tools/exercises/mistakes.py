@@ -1,4 +1,6 @@
-"""Mistakes that students make, as patches against the reference: each must be caught by the test that it names."""
+"""Patches against the reference: mistakes that students make, each of which must be caught by the test that it names, and
+alternatives, right bodies that work another way, each of which must get full points.
+"""
 
 import os
 import re
@@ -13,7 +15,7 @@ from exercises.building import build_tree, program
 from exercises.grading import run_tests
 from strip import exercises_of_tree, read_source, strip
 
-HEADER = re.compile(r"^(exercise|caught-by|mistake):\s*(\S.*?)\s*$", re.MULTILINE)
+HEADER = re.compile(r"^(exercise|caught-by|mistake|alternative):\s*(\S.*?)\s*$", re.MULTILINE)
 TARGETS = re.compile(r"^\+\+\+ b/(\S+)", re.MULTILINE)
 FEWEST_MISTAKES = 6
 FEWEST_EXERCISES = 4
@@ -28,6 +30,27 @@ class Mistake:
     caught_by: str
     sentence: str
     overlay: dict  # path -> bytes: the reference's files with the mistake in them
+
+
+@dataclass(frozen=True)
+class Alternative:
+    slug: str
+    exercise: str
+    sentence: str
+    overlay: dict  # path -> bytes: the reference's files with the other body in them
+
+
+@dataclass
+class AlternativeResult:
+    alternative: Alternative
+    failed: list  # names of the graded tests that don't pass
+    error: str = ""  # why it could not be tried
+
+    @property
+    def complaint(self):
+        if self.error:
+            return self.error
+        return f"is right, and {self.failed[0]} fails" if self.failed else ""
 
 
 @dataclass
@@ -59,19 +82,35 @@ def read_mistakes(catalog, root=ROOT):
 
 
 def read_mistake(path, catalog, exercises, root):
+    header, overlay = read_patch(path, ("exercise", "caught-by", "mistake"), catalog, exercises, root)
+    if header["caught-by"] not in [test.name for test in catalog.tests]:
+        raise CourseError(f"{path.relative_to(root).as_posix()}: grading.json lists no test {header['caught-by']}")
+    return Mistake(path.stem, header["exercise"], header["caught-by"], header["mistake"], overlay)
+
+
+def read_alternatives(catalog, root=ROOT):
+    """@throws CourseError for a patch that is not as docs/grading.md says"""
+    exercises = exercises_of_tree(root)
+    found = []
+    for path in sorted((root / "tests" / catalog.chapter / "alternatives").glob("*.patch")):
+        header, overlay = read_patch(path, ("exercise", "alternative"), catalog, exercises, root)
+        found.append(Alternative(path.stem, header["exercise"], header["alternative"], overlay))
+    return found
+
+
+def read_patch(path, keys, catalog, exercises, root):
+    """(header, files with the patch in them): a patch of one exercise's body, with a line for each key above the diff."""
     place = path.relative_to(root).as_posix()
     text = path.read_text(encoding="utf-8")
     header = dict(HEADER.findall(text.split("\n--- ")[0]))
-    for key in ("exercise", "caught-by", "mistake"):
+    for key in keys:
         if key not in header:
             raise CourseError(f"{place}: there is no line '{key}: ...' above the diff; docs/grading.md shows one")
     if header["exercise"] not in catalog.exercises or header["exercise"] not in exercises:
         raise CourseError(f"{place}: {header['exercise']} is no exercise of {catalog.chapter}")
-    if header["caught-by"] not in [test.name for test in catalog.tests]:
-        raise CourseError(f"{place}: grading.json lists no test {header['caught-by']}")
     exercise = exercises[header["exercise"]]
     if TARGETS.findall(text) != [exercise.path]:
-        raise CourseError(f"{place}: a mistake in {exercise.id} changes {exercise.path} and nothing else")
+        raise CourseError(f"{place}: a patch of {exercise.id} changes {exercise.path} and nothing else")
     reference = read_source(root / exercise.path)
     mutant = patched(path, exercise.path, reference, place)
     if mutant == reference:
@@ -79,8 +118,7 @@ def read_mistake(path, catalog, exercises, root):
     if strip(mutant, exercise.path, lambda e: e.id == exercise.id) != strip(reference, exercise.path,
                                                                            lambda e: e.id == exercise.id):
         raise CourseError(f"{place}: changes more than the body of {exercise.id}")
-    overlay = {exercise.path: mutant.encode("utf-8", "surrogateescape")}
-    return Mistake(path.stem, exercise.id, header["caught-by"], header["mistake"], overlay)
+    return header, {exercise.path: mutant.encode("utf-8", "surrogateescape")}
 
 
 def patched(patch, path, text, place):
@@ -123,17 +161,24 @@ class MutantTree:
             self._limits[o.test.name] = min(o.test.time_limit, max(SHORTEST_LIMIT, SLOWER * o.outcome.seconds))
 
     def try_mistake(self, mistake):
-        before = {path: (self._tree / path).read_bytes() for path in mistake.overlay}
+        return MistakeResult(mistake, *self._try(mistake.overlay, lambda test: self._limits[test.name]))
+
+    def try_alternative(self, alternative):
+        # Another algorithm may take longer, as long as a student's may.
+        return AlternativeResult(alternative, *self._try(alternative.overlay, lambda test: test.time_limit))
+
+    def _try(self, overlay, time_limit):
+        """(names of the tests that don't pass, why it could not be tried)"""
+        before = {path: (self._tree / path).read_bytes() for path in overlay}
         try:
-            self._write(mistake.overlay)
+            self._write(overlay)
             built = build_tree(self._tree, [self._catalog.target], "")
             if built.error:
-                return MistakeResult(mistake, [], f"does not compile: {built.error}")
+                return [], f"does not compile: {built.error}"
             if built.warnings:
-                return MistakeResult(mistake, [], f"compiles with a warning: {built.warnings[0]}")
-            outcomes = run_tests(self._catalog, program(self._tree, self._catalog.target), self._scratch,
-                                 lambda test: self._limits[test.name])
-            return MistakeResult(mistake, [o.test.name for o in outcomes if not o.outcome.passed])
+                return [], f"compiles with a warning: {built.warnings[0]}"
+            outcomes = run_tests(self._catalog, program(self._tree, self._catalog.target), self._scratch, time_limit)
+            return [o.test.name for o in outcomes if not o.outcome.passed], ""
         finally:
             self._write(before)
 

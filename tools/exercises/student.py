@@ -72,7 +72,7 @@ def make(folder, first, root=ROOT):
     if not overlay:
         raise CourseError(f"chapters from {first:02} on have no exercises yet; choose an earlier one with --chapter")
     for name in source_files(root):
-        if name.startswith(LEFT_OUT) or is_later_mistake(name, first):
+        if name.startswith(LEFT_OUT) or shows_later_solution(name, first):
             continue
         target = folder / name
         target.parent.mkdir(parents=True, exist_ok=True)
@@ -90,9 +90,9 @@ def make(folder, first, root=ROOT):
     return len(exercises_of_tree(folder / STARTER))
 
 
-def is_later_mistake(name, first):
+def shows_later_solution(name, first):
     parts = name.split("/")
-    return len(parts) > 3 and parts[0] == "tests" and parts[2] == "mistakes" and int(parts[1][:2]) >= first
+    return len(parts) > 3 and parts[0] == "tests" and parts[2] in ("mistakes", "alternatives") and int(parts[1][:2]) >= first
 
 
 def commit(root):

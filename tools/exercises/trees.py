@@ -35,7 +35,8 @@ def source_files(root=ROOT):
 def files_to_build(root=ROOT):
     """The files that a grading tree needs."""
     return [name for name in source_files(root)
-            if not name.startswith(NOT_BUILT_FROM) and not name.startswith("tests/course/") and "/mistakes/" not in name]
+            if not name.startswith(NOT_BUILT_FROM) and not name.startswith("tests/course/")
+            and "/mistakes/" not in name and "/alternatives/" not in name]
 
 
 def starter_overlay(root=ROOT, chosen=lambda exercise: True):
