@@ -35,7 +35,7 @@ Judged judged(const std::string& name, const std::filesystem::path& sources) {
     checkArgument(name == "peers_box" || name == "point_box", "--errors", name,
                   "must be peers_box, point_box or mirror_caustic");
     const NamedScene& named = namedScene(name);
-    return {Scene(named.make(named.width, named.height, "")), named.settings, reference(name + ".exr")};
+    return {Scene(named.make(named.width, named.height, "")), named.settings, reference(name + "_sppm.exr")};
 }
 
 }  // namespace
