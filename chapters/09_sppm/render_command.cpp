@@ -13,6 +13,7 @@
 #include "image/image_file.h"
 #include "image/tone_mapping.h"
 #include "integrator/checkpoint.h"
+#include "integrator/lamp_edges.h"
 #include "integrator/render.h"
 #include "sampling/sobol_sampler.h"
 #include "scenes.h"
@@ -46,8 +47,8 @@ RenderSettings limitsOf(const RenderWishes& wishes) {
 std::string pictureName(const NamedScene& named, const SppmSettings& settings, std::uint64_t seed) {
     return named.name + ", seed " + std::to_string(seed) + ", rule " +
            (settings.rule == RadiusRule::Pass ? "pass" : "point") + ", alpha " + formatReal(settings.alpha) +
-           ", radius " + formatReal(settings.radius) + ", photons " + std::to_string(settings.photons) +
-           ", segments " + std::to_string(settings.limits.maxLength);
+           ", radius " + formatReal(settings.radius) + ", photons " + std::to_string(settings.photons) + ", segments " +
+           std::to_string(settings.limits.maxLength);
 }
 
 // Shows the growing picture in a window: the viewer looks at the file again and again. Ends with the window.
@@ -110,6 +111,10 @@ void renderScene(const std::string& name, const RenderWishes& wishes, const Chap
     progress.expect(progressSteps);
     settings.threads = options.threads;
     settings.look = look;
+    // By rule Point a pixel has one path a pass.
+    if (sppm.settings().rule == RadiusRule::Pass)
+        settings.choose = withMorePaths(
+            scene.camera(), lampEdges(scene, sampler, named.settings.limits, options.threads), pathsAtLampEdges);
     settings.progress = &progress;
     resume(sppm, settings, rendering);
     requireFinite(rendering);

@@ -33,7 +33,7 @@ Real discArea(Real radius) { return std::numbers::pi * radius * radius; }
 }  // namespace
 
 Real usualRadius(const Scene& scene) {
-    constexpr Real share = 0.018;
+    constexpr Real share = 0.023;
     return scene.bounds().isEmpty() ? share : share * scene.bounds().diagonal().norm() / 2;
 }
 

@@ -4,9 +4,11 @@
 
 #include "camera/box_filter.h"
 #include "core/check.h"
+#include "core/thread_clock.h"
 #include "figure/csv_table.h"
 #include "image/image_file.h"
 #include "image/picture_error.h"
+#include "integrator/lamp_edges.h"
 #include "integrator/render.h"
 #include "measures/methods.h"
 #include "measures/mirror_caustic.h"
@@ -40,8 +42,8 @@ Judged judged(const std::string& name, const std::filesystem::path& sources) {
 
 }  // namespace
 
-void timeMethods(const std::string& name, double seconds, const std::string& methods,
-                 const ChapterInputs& chapter, const ChapterOptions& options) {
+void timeMethods(const std::string& name, double seconds, const std::string& methods, const ChapterInputs& chapter,
+                 const ChapterOptions& options) {
     checkPositive(seconds, "--time");
     const Judged what = judged(name, chapter.sourceDir);
     const std::vector<bool> leftOut = pixelsNearLamps(what.scene, 2);
@@ -53,20 +55,29 @@ void timeMethods(const std::string& name, double seconds, const std::string& met
         if (methods != "all" && !tracesPhotons(method)) continue;
         const Sampler& sampler = tracesPhotons(method) ? static_cast<const Sampler&>(sobol) : random;
         const auto integrator = makeIntegrator(method, what.scene, sampler, filter, what.settings);
+        // By rule Point a pixel has one path a pass.
+        const bool several = method == Method::Pass || method == Method::PhotonMap;
+        const double begin = threadSeconds();
+        const std::vector<Pixel> edges =
+            several ? lampEdges(what.scene, sampler, what.settings.limits, 1) : std::vector<Pixel>();
+        const double before = threadSeconds() - begin;
         std::int64_t next = 1;
         const auto look = [&](const Rendering& soFar) {
             if (soFar.passes < next) return true;
             next *= 2;
-            table.addRow(nameOf(method), soFar.passes, soFar.seconds, "s",
+            table.addRow(nameOf(method), soFar.passes, before + soFar.seconds, "s",
                          rmse(developed(*integrator, soFar), what.reference, leftOut), "radiance (rms)");
             return true;
         };
-        const Rendering all = render(*integrator, {.seconds = seconds, .look = look});
+        const Rendering all =
+            render(*integrator, {.seconds = seconds - before,
+                                 .look = look,
+                                 .choose = withMorePaths(what.scene.camera(), edges, pathsAtLampEdges)});
         requireFinite(all);
         const Real error = rmse(developed(*integrator, all), what.reference, leftOut);
-        table.addRow(nameOf(method), all.passes, all.seconds, "s", error, "radiance (rms)");
+        table.addRow(nameOf(method), all.passes, before + all.seconds, "s", error, "radiance (rms)");
         std::printf("%-32s %6lld passes in %7.2f s, RMSE %.5f\n", nameOf(method).c_str(),
-                    static_cast<long long>(all.passes), all.seconds, error);
+                    static_cast<long long>(all.passes), before + all.seconds, error);
         std::fflush(stdout);
     }
     table.save(options.out / chapter.name / ("timed_" + name + ".csv"));
