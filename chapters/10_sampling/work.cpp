@@ -22,12 +22,11 @@ constexpr const char* pictures[] = {"bunny", "cup"};
 PictureWork pictureWork(const std::string& study, Quality quality) {
     const bool draft = quality == Quality::Draft;
     const bool cup = study == "cup";
-    PictureWork work = {
-        cup ? (draft ? 45 : 180) : (draft ? 60 : 300), {.batch = 8, .first = 16, .most = 2048, .share = 0.04}, 0.02};
-    if (cup) work.settings = {.batch = 8, .first = 32, .most = 2048, .share = 0.1};
+    const int width = cup ? (draft ? 36 : 180) : (draft ? 60 : 300);
+    PictureWork work = {width, {.batch = 8, .first = draft ? 8 : 16, .most = 2048, .share = cup ? 0.1 : 0.04}, 0.02};
     const Study& what = caustic::study(study);
     const auto pixels = static_cast<Real>(work.width) * std::round(what.aspect * work.width);
-    work.settings.paths = static_cast<std::int64_t>((cup ? 80 : 48) * pixels / (draft ? 2 : 1));
+    work.settings.paths = static_cast<std::int64_t>((cup ? 80 : 48) * pixels / (draft ? 4 : 1));
     return work;
 }
 
@@ -37,7 +36,7 @@ std::int64_t uniformPasses(const std::string& study, const ChapterInputs& chapte
     try {
         const std::int64_t passes = nlohmann::json::parse(file).at(study);
         checkArgument(passes >= 1, place, std::to_string(passes), "must be at least 1");
-        return quality == Quality::Report ? passes : std::max<std::int64_t>(1, passes / 2);
+        return quality == Quality::Report ? passes : std::max<std::int64_t>(1, passes / 4);
     } catch (const nlohmann::json::exception& error) {
         throw InputError({place, 0}, "", std::string("isn't what --recalibrate writes: ") + error.what());
     }

@@ -20,7 +20,7 @@ struct PictureWork {
 PictureWork pictureWork(const std::string& study, Quality quality);
 
 /// How many uniform passes take as long as the adaptive picture at report quality: measured once by --recalibrate, so
-/// that pictures are the same on every machine. A draft has half as many.
+/// that pictures are the same on every machine. A draft has a quarter of them.
 /// @throws InputError when work.json isn't what --recalibrate writes
 std::int64_t uniformPasses(const std::string& study, const ChapterInputs& chapter, Quality quality);
 

@@ -107,9 +107,9 @@ std::vector<bool> stoppedEarly(Random& random) {
         return brightness(renderAdaptively(adaptive, {.passes = 200}));
     };
     return within(0.2, 1,
-                  {found({.batch = 1, .first = 4, .most = 160, .share = 1, .spread = 0}),
-                   found({.batch = 4, .first = 32, .most = 160, .share = 1, .spread = 0}),
-                   found({.batch = 4, .first = 32, .most = 160, .share = 1, .spread = 0, .apart = true})});
+                  {found({.batch = 1, .first = 4, .most = 64, .share = 1, .spread = 0}),
+                   found({.batch = 4, .first = 32, .most = 64, .share = 1, .spread = 0}),
+                   found({.batch = 4, .first = 32, .most = 64, .share = 1, .spread = 0, .apart = true})});
 }
 
 // The wire as a thing, in front of the camera.

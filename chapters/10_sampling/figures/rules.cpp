@@ -9,7 +9,7 @@ namespace caustic {
 
 void drawRules(FigureContext& context) {
     constexpr int shown = 330;
-    const int width = context.byQuality(66, 165);
+    const int width = context.byQuality(55, 165);
     const Study& what = study("bunny");
     const Scene scene = what.scene(assetOf(what, context), width);
     RayCounts counts;

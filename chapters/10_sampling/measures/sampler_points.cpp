@@ -66,12 +66,13 @@ std::vector<SamplerPoint> samplerPoints(FigureContext& context) {
     const LitFloor floor = LitFloor::under(width);
     const Scene caustic(CausticScene{}.onFloor(width));
     const Image causticTruth = shrunk(loadImage(context.asset("assets/references/caustic_floor.exr")), width);
-    const std::vector<std::int64_t> few = {16, 64, 256};
+    std::vector<std::int64_t> few = {16, 64};
     std::vector<std::int64_t> many = {4, 16, 64, 256};
     if (context.quality() == Quality::Report) many.push_back(1024);
+    if (context.quality() == Quality::Report) few.push_back(256);
     const std::vector<Measured> scenes = {
         {"smooth", &floor.scene(), floor.truth(), {{LitFloor::segments, 1}, Direct::DirectLight}, many, 2},
-        {"caustic", &caustic, causticTruth, {{64, 1}, Direct::Mis}, few, 4}};
+        {"caustic", &caustic, causticTruth, {{64, 1}, Direct::Mis}, few, 2}};
     struct Job {
         const Measured* scene;
         std::string sampler;
