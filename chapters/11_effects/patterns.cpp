@@ -6,7 +6,6 @@
 
 #include "core/random.h"
 #include "math/vector.h"
-#include "sampling/path_stream.h"
 
 namespace caustic {
 
@@ -16,10 +15,15 @@ using std::numbers::pi;
 
 Real smooth(Real t) { return t * t * (3 - 2 * t); }
 
-// A number in [0, 1) for each cell of a lattice that repeats.
+// A number in [0, 1) for each cell of a lattice that repeats: its name, mixed twice. There are many to make.
 Real latticeValue(int x, int y, int period, std::uint64_t seed) {
-    const auto inside = [period](int i) { return (i % period + period) % period; };
-    return PathStream(seed, {.pixel = {inside(x), inside(y)}}, 0).number({0});
+    const auto inside = [period](int i) { return static_cast<std::uint64_t>((i % period + period) % period); };
+    std::uint64_t bits = (inside(x) << 32 | inside(y)) ^ seed * 0x9e3779b97f4a7c15ULL;
+    for (int round = 0; round < 2; ++round) {
+        bits ^= bits >> 32;
+        bits *= 0xd6e8feb86659fd93ULL;
+    }
+    return static_cast<Real>(bits >> 11) * 0x1p-53;
 }
 
 // Perlin's value noise, 1985: smooth between the values of the lattice.
