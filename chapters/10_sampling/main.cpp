@@ -47,6 +47,6 @@ int main(int argc, char** argv) {
                           "Measure anew how many uniform passes take as long as the adaptive pictures, at "
                           "that part of their width; writes work.json",
                           RangedValue<double>{&part, 0.01, 1}},
-             .run = [&](const ChapterOptions&) { recalibrate(part, thisChapter); }},
+             .run = [&](const ChapterOptions&) { measureWork(part, thisChapter); }},
         });
 }

@@ -42,7 +42,7 @@ std::int64_t uniformPasses(const std::string& study, const ChapterInputs& chapte
     }
 }
 
-void recalibrate(double part, const ChapterInputs& chapter) {
+void measureWork(double part, const ChapterInputs& chapter) {
     nlohmann::ordered_json json;
     for (const char* const name : pictures) {
         const Study& what = study(name);

@@ -26,6 +26,6 @@ std::int64_t uniformPasses(const std::string& study, const ChapterInputs& chapte
 
 /// Measures them anew and writes work.json.
 /// @param part  of the picture's width, greater than 0 and at most 1: the larger the better
-void recalibrate(double part, const ChapterInputs& chapter);
+void measureWork(double part, const ChapterInputs& chapter);
 
 }  // namespace caustic
