@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "accel/nearest_points.h"
+#include "core/mixer.h"
 #include "core/not_implemented.h"
 #include "math/vector.h"
 
@@ -75,7 +76,7 @@ private:
 inline std::uint32_t HashGrid::slotOf(const Cell& cell) const {
     const auto y = static_cast<std::uint64_t>(cell.y());
     const auto z = static_cast<std::uint64_t>(cell.z());
-    const std::uint64_t row = (y * 0x9e3779b97f4a7c15ULL) ^ (z * 0xc2b2ae3d27d4eb4fULL);
+    const std::uint64_t row = (y * goldenStep) ^ (z * 0xc2b2ae3d27d4eb4fULL);
     return static_cast<std::uint32_t>((row >> 32) + static_cast<std::uint64_t>(cell.x())) & mask_;
 }
 

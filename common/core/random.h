@@ -4,6 +4,8 @@
 #include <initializer_list>
 #include <pcg_random.hpp>
 
+#include "core/mixer.h"
+
 namespace caustic {
 
 /// Random numbers that belong to a work item, never to a thread.
@@ -26,16 +28,9 @@ public:
     std::uint64_t below(std::uint64_t n) { return engine_(n); }
 
 private:
-    static std::uint64_t scrambled(std::uint64_t x) {
-        x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
-        x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
-        return x ^ (x >> 31);
-    }
-
     static std::uint64_t mixed(std::uint64_t seed, std::initializer_list<std::uint64_t> item) {
-        constexpr std::uint64_t golden = 0x9e3779b97f4a7c15ULL;  // 2^64 / golden ratio: 0, 0, 0 is no fixed point
-        std::uint64_t state = scrambled(seed + golden);
-        for (const std::uint64_t index : item) state = scrambled((state ^ index) + golden);
+        std::uint64_t state = splitMix(seed + goldenStep);
+        for (const std::uint64_t index : item) state = splitMix((state ^ index) + goldenStep);
         return state;
     }
 

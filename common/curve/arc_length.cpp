@@ -10,6 +10,7 @@
 #include "core/not_implemented.h"
 #include "curve/bernstein.h"
 #include "curve/gauss_legendre.h"
+#include "math/stable_norm.h"
 
 namespace caustic {
 
@@ -21,7 +22,7 @@ constexpr Real unitRoundoff = std::numeric_limits<Real>::epsilon() / 2;
 class Velocity {
 public:
     explicit Velocity(const BezierCurve& curve) : hodograph_(curve.hodograph()) {
-        for (const Vec3& control : hodograph_.controlPoints()) largest_ = std::max(largest_, control.stableNorm());
+        for (const Vec3& control : hodograph_.controlPoints()) largest_ = std::max(largest_, stableNorm(control));
     }
 
     int degree() const { return hodograph_.degree(); }
@@ -50,7 +51,7 @@ Real chordLength(const BezierCurve& curve, int segments) {
     Vec3 before = curve.position(0);
     for (int i = 1; i <= segments; ++i) {
         const Vec3 point = curve.position(static_cast<Real>(i) / segments);
-        length += (point - before).stableNorm();
+        length += stableNorm(point - before);
         before = point;
     }
     return length;
@@ -78,7 +79,7 @@ LengthEstimate gaussLength(const BezierCurve& curve, Real tolerance, Real from, 
         Real sum = 0;
         for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
             velocities.push_back(velocity(a + half * (1 + rule.nodes[i])));
-            sum += rule.weights[i] * velocities.back().stableNorm();
+            sum += rule.weights[i] * stableNorm(velocities.back());
         }
         evaluations += rule.points();
         return Piece{a, b, half * sum, half * gaussSpeedError(rule, velocities, velocity.degree(), velocity.error())};
@@ -134,7 +135,7 @@ std::vector<Real> evenlySpaced(const BezierCurve& curve, int count) {
         for (int step = 0; std::abs(wanted - reached) > accuracy && step < 100; ++step) {
             (reached < wanted ? low : high) = t;
             // Newton's step; bisection where it leaves the bracket, at a cusp say, or takes too long.
-            Real next = t + (wanted - reached) / velocity(t).stableNorm();
+            Real next = t + (wanted - reached) / stableNorm(velocity(t));
             if (!(next > low && next < high) || step > 30) next = (low + high) / 2;
             if (next > t) reached += gaussLength(curve, accuracy / 100, t, next).length;
             if (next < t) reached -= gaussLength(curve, accuracy / 100, next, t).length;

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/check.h"
+#include "math/stable_norm.h"
 
 namespace caustic {
 
@@ -87,7 +88,7 @@ Real gaussSpeedError(const GaussRule& rule, std::span<const Vec3> velocities, in
     Real largest = 0;
     Real sum = 0;
     for (std::size_t i = 0; i < velocities.size(); ++i) {
-        const Real speed = velocities[i].stableNorm();
+        const Real speed = stableNorm(velocities[i]);
         largest = std::max(largest, speed);
         sum += rule.weights[i] * speed;
     }
@@ -95,18 +96,18 @@ Real gaussSpeedError(const GaussRule& rule, std::span<const Vec3> velocities, in
 
     const std::vector<Vec3> coefficients = legendreCoefficients(rule, velocities, degree);
     const Real noise = velocityError + 4 * rule.points() * unitRoundoff * largest;
-    const Real mean = coefficients[0].stableNorm();
+    const Real mean = stableNorm(coefficients[0]);
     const Vec3 along = mean > 0 ? Vec3(coefficients[0] / mean) : Vec3::Zero();
 
     std::vector<Real> sizes = {noise};
     Real meanSquare = 0;  // in units of largest²
     for (std::size_t k = 0; k < coefficients.size(); ++k) {
         const Vec3& coefficient = coefficients[k];
-        const Real relative = coefficient.stableNorm() / largest;
+        const Real relative = stableNorm(coefficient) / largest;
         meanSquare += relative * relative / static_cast<Real>(2 * k + 1);
         if (k == 0) continue;
         const Real parallel = coefficient.dot(along);
-        const Real across = Vec3(coefficient - parallel * along).stableNorm();
+        const Real across = stableNorm(Vec3(coefficient - parallel * along));
         sizes.push_back(std::abs(parallel) + across + static_cast<Real>(2 * k + 1) * noise);
     }
     const Real enclosure = std::max(2 * largest * std::sqrt(meanSquare) - sum, sum - 2 * mean) + 2 * noise;

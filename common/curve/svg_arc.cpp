@@ -1,4 +1,5 @@
 #include "curve/svg_arc.h"
+#include "math/stable_norm.h"
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -37,7 +38,7 @@ std::vector<CubicPiece> arcToCubics(const SvgArc& arc) {
     if (arc.from == arc.to) return {};
     const Eigen::Rotation2D<Real> rotation(std::remainder(arc.rotation, Real(360)) * std::numbers::pi / 180);
     const Vec2 halfChord = (rotation.inverse() * Vec2(arc.to / 2 - arc.from / 2)).cwiseQuotient(arc.radii.cwiseAbs());
-    const Real length = halfChord.stableNorm();
+    const Real length = stableNorm(halfChord);
     // Not finite: a radius is zero, or so small that the arc is one. Zero: the ends are as good as equal.
     if (!std::isfinite(length) || length == 0) return {lineToCubic(arc.from, arc.to)};
 

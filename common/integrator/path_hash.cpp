@@ -1,19 +1,14 @@
 #include "integrator/path_hash.h"
 
+#include "core/mixer.h"
 #include "core/not_implemented.h"
 
 namespace caustic {
 
 namespace {
 
-// A number made of what was before and of what comes next: another order is another number. The mixer is SplitMix64's:
-// Steele, Lea, Flood 2014, fig. 17.
-std::uint64_t hashed(std::uint64_t before, std::uint64_t next) {
-    std::uint64_t x = before + (next + 1) * 0x9e3779b97f4a7c15ULL;
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
-    return x ^ (x >> 31);
-}
+// A number made of what was before and of what comes next: another order is another number.
+std::uint64_t hashed(std::uint64_t before, std::uint64_t next) { return splitMix(before + (next + 1) * goldenStep); }
 
 }  // namespace
 

@@ -11,4 +11,11 @@ PhotonWay scatteredWay(PhotonWay way, bool delta) {
     //! [ex-08.1]
 }
 
+std::vector<Vec3> pointsOf(std::span<const Photon> photons) {
+    std::vector<Vec3> points;
+    points.reserve(photons.size());
+    for (const Photon& photon : photons) points.push_back(photon.point);
+    return points;
+}
+
 }  // namespace caustic

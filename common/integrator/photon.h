@@ -1,5 +1,8 @@
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "math/color.h"
 #include "math/vector.h"
 
@@ -27,5 +30,8 @@ struct Photon {
     int length = 0;               ///< segments from the lamp
     PhotonWay way = PhotonWay::Direct;
 };
+
+/// Where they are, in their order: what trees and grids of photons are made from.
+std::vector<Vec3> pointsOf(std::span<const Photon> photons);
 
 }  // namespace caustic

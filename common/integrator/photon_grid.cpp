@@ -4,17 +4,6 @@
 
 namespace caustic {
 
-namespace {
-
-std::vector<Vec3> pointsOf(std::span<const Photon> photons) {
-    std::vector<Vec3> points;
-    points.reserve(photons.size());
-    for (const Photon& photon : photons) points.push_back(photon.point);
-    return points;
-}
-
-}  // namespace
-
 PhotonGrid::PhotonGrid(std::span<const Photon> photons, Real radius) : grid_(pointsOf(photons), 2 * radius) {
     photons_.reserve(photons.size());
     for (const std::uint32_t i : grid_.order()) photons_.push_back(photons[i]);

@@ -12,13 +12,6 @@ namespace {
 
 constexpr Real mostTurned = 0.5;  // cosine between the normals of two places of one surface
 
-std::vector<Vec3> pointsOf(std::span<const Photon> photons) {
-    std::vector<Vec3> points;
-    points.reserve(photons.size());
-    for (const Photon& photon : photons) points.push_back(photon.point);
-    return points;
-}
-
 // Whether the photon is on the same surface, as far as normals tell, and on the side that is seen: photons of a wall
 // that stands on a floor say nothing of the floor.
 bool lights(const Photon& photon, const Interaction& at) {

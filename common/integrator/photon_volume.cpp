@@ -6,17 +6,6 @@
 
 namespace caustic {
 
-namespace {
-
-std::vector<Vec3> pointsOf(std::span<const Photon> photons) {
-    std::vector<Vec3> points;
-    points.reserve(photons.size());
-    for (const Photon& photon : photons) points.push_back(photon.point);
-    return points;
-}
-
-}  // namespace
-
 Real beamKernel(Real squaredDistance, Real radius) {
     const Real squared = radius * radius;
     const Real inside = 1 - squaredDistance / squared;

@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "core/error.h"
+#include "core/mixer.h"
 #include "core/text.h"
 #include "mesh/scalar_type.h"
 
@@ -22,7 +23,7 @@ struct Bits {
     std::size_t operator()(const Vec3& v) const {
         std::uint64_t hash = 0;
         for (const Real coordinate : v) {
-            hash = (hash ^ std::bit_cast<std::uint64_t>(coordinate)) * 0x9e3779b97f4a7c15U;
+            hash = (hash ^ std::bit_cast<std::uint64_t>(coordinate)) * goldenStep;
             hash ^= hash >> 32;
         }
         return hash;

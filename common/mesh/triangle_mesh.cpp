@@ -7,6 +7,7 @@
 
 #include "core/check.h"
 #include "core/not_implemented.h"
+#include "math/stable_norm.h"
 
 namespace caustic {
 
@@ -60,7 +61,7 @@ Vec3 interpolatedNormal(const MeshData& mesh, const MeshHit& at, const Vec3& ng)
         if (corners[i] == MeshData::none) return ng;
         // Of unit length first, or the longer normal would win.
         const Vec3& normal = mesh.normals[corners[i]];
-        const Real length = normal.stableNorm();
+        const Real length = stableNorm(normal);
         if (!(length > 0)) return ng;
         sum += weights[i] * (normal / length);
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/check.h"
+#include "core/mixer.h"
 #include "core/not_implemented.h"
 #include "sampling/path_stream.h"
 #include "sampling/permutation.h"
@@ -20,8 +21,7 @@ constexpr Real belowOne = 1 - 0x1p-53;
 
 // A key for each line of the grid: no two lines, and no row and column, have the same order.
 std::uint32_t keyOfLine(std::uint64_t bits, std::uint32_t line) {
-    const std::uint64_t x = (bits + line * 0x9e3779b97f4a7c15ULL) * 0xbf58476d1ce4e5b9ULL;
-    return static_cast<std::uint32_t>((x ^ (x >> 29)) * 0x94d049bb133111ebULL >> 32);
+    return static_cast<std::uint32_t>(splitMix(bits + line * goldenStep) >> 32);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "core/mixer.h"
 #include "core/not_implemented.h"
 #include "sampling/permutation.h"
 
@@ -11,13 +12,9 @@ namespace {
 
 constexpr std::array<std::uint32_t, haltonDimensions> primes = {2, 3, 5, 7, 11, 13, 17, 19, 23, 29};
 
-// Names the permutation of the digit at a place, counted from the last one. The mixer is SplitMix64's: Steele, Lea,
-// Flood 2014, fig. 17.
+// Names the permutation of the digit at a place, counted from the last one.
 std::uint32_t keyOfDigit(std::uint64_t key, unsigned place) {
-    std::uint64_t x = key + (place + 1) * 0x9e3779b97f4a7c15ULL;
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
-    return static_cast<std::uint32_t>(x >> 32);
+    return static_cast<std::uint32_t>(splitMix(key + (place + 1) * goldenStep) >> 32);
 }
 
 }  // namespace

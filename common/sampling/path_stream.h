@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "core/mixer.h"
 #include "sampling/sampler.h"
 
 namespace caustic {
@@ -17,15 +18,15 @@ public:
     PathStream(std::uint64_t seed, const PathName& path, std::int64_t round) {
         const auto column = static_cast<std::uint32_t>(path.pixel.x);
         const auto row = static_cast<std::uint32_t>(path.pixel.y);
-        start_ = mixed(seed + step);
-        start_ = mixed((start_ ^ path.stream) + step);
-        start_ = mixed((start_ ^ (std::uint64_t{column} << 32 | row)) + step);
-        start_ = mixed((start_ ^ static_cast<std::uint64_t>(round)) + step);
+        start_ = mixed(seed + goldenStep);
+        start_ = mixed((start_ ^ path.stream) + goldenStep);
+        start_ = mixed((start_ ^ (std::uint64_t{column} << 32 | row)) + goldenStep);
+        start_ = mixed((start_ ^ static_cast<std::uint64_t>(round)) + goldenStep);
     }
 
     /// 64 random bits.
     std::uint64_t bits(Dimension dimension) const {
-        return mixed(start_ + static_cast<std::uint64_t>(dimension.index + 1) * step);
+        return mixed(start_ + static_cast<std::uint64_t>(dimension.index + 1) * goldenStep);
     }
 
     /// Uniform in [0, 1), all 53 bits of the fraction random.
@@ -35,8 +36,6 @@ public:
     Vec2 pair(Dimension dimension) const { return {number(dimension), number({dimension.index + 1})}; }
 
 private:
-    static constexpr std::uint64_t step = 0x9e3779b97f4a7c15ULL;  // 2^64 / golden ratio: 0, 0, 0 is no fixed point
-
     static constexpr std::uint64_t mixed(std::uint64_t x) {
         x = (x ^ (x >> 27)) * 0x3c79ac492ba7b653ULL;
         x = (x ^ (x >> 33)) * 0x1c69b3f74ac4ae35ULL;

@@ -1,5 +1,7 @@
 #include "sampling/sampler.h"
 
+#include "core/mixer.h"
+
 namespace caustic {
 
 Real PathNumbers::number(Dimension dimension) const { return sampler_->number(name_, dimension); }
@@ -9,7 +11,7 @@ Vec2 PathNumbers::pair(Dimension dimension) const { return sampler_->pair(name_,
 PathNumbers PathNumbers::branch(std::uint64_t label) const {
     PathName name = name_;
     // An odd multiplier makes the map of streams one to one for each label; the finaliser of the sampler does the rest.
-    name.stream = name.stream * 0x9e3779b97f4a7c15ULL + label + 1;
+    name.stream = name.stream * goldenStep + label + 1;
     return {*sampler_, name};
 }
 

@@ -6,6 +6,7 @@
 #include "camera/box_filter.h"
 #include "core/error.h"
 #include "image/picture_error.h"
+#include "integrator/near_lamps.h"
 #include "integrator/render.h"
 #include "measures/caustic_reference.h"
 #include "measures/measured_scenes.h"

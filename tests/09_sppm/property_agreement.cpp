@@ -13,6 +13,7 @@
 #include "modeler/peers_box.h"
 #include "shape/sphere.h"
 #include "support/agreement.h"
+#include "support/extrapolated.h"
 
 namespace caustic {
 namespace {
@@ -20,27 +21,17 @@ namespace {
 const PathLimits limits = {.maxLength = test::agreementSegments, .rouletteStart = 3};
 constexpr Real fixedRadius = 1 - 1e-9;
 
-// SPPM without its bias: the same photons and paths within three radii. Bias is b₁R + b₂R², of edges and of curvature;
-// L(R)/3 − 2 L(R/2) + 8/3 L(R/4) has neither.
-class Extrapolated final : public Integrator {
-public:
-    Extrapolated(const Scene& scene, const Sampler& sampler, const PixelFilter& filter)
-        : Integrator(scene, sampler, filter) {
-        for (const Real share : {1.0, 0.5, 0.25}) {
-            SppmSettings settings;
-            settings.limits = limits;
-            settings.alpha = fixedRadius;
-            settings.radius = share * 2.5 * usualRadius(scene);
-            settings.photons = 6000;
-            parts_.emplace_back(scene, sampler, filter, settings);
-        }
-    }
-
-    Rendering runPass(const Pass& pass, int threads) override {
-        const Rendering wide = parts_[0].runPass(pass, threads);
-        const Rendering half = parts_[1].runPass(pass, threads);
-        const Rendering quarter = parts_[2].runPass(pass, threads);
-        Rendering sum = {Film(wide.film.width(), wide.film.height()), wide.counts, 1, 0};
+// SPPM without its bias.
+std::unique_ptr<Integrator> unbiased(const Scene& scene, const Sampler& sampler, const PixelFilter& filter) {
+    return std::make_unique<test::Extrapolated<Sppm>>(scene, sampler, filter, [&](Real share) {
+        SppmSettings settings;
+        settings.limits = limits;
+        settings.alpha = fixedRadius;
+        settings.radius = share * 2.5 * usualRadius(scene);
+        settings.photons = 6000;
+        return settings;
+    });
+}
         for (const PathId& path : pass.paths) {
             const auto of = [&](const Rendering& part) { return part.film.value(path.pixel); };
             sum.film.add(path.pixel, path.index, of(wide) / 3 - 2 * of(half) + of(quarter) * (8.0 / 3));
@@ -72,10 +63,7 @@ std::vector<test::AgreementScene> scenes() {
 }
 
 std::vector<test::AgreementMethod> methods() {
-    return {{"SPPM without bias",
-             [](const Scene& scene, const Sampler& sampler, const PixelFilter& filter) {
-                 return std::make_unique<Extrapolated>(scene, sampler, filter);
-             }},
+    return {{"SPPM without bias", unbiased},
             {"bidirectional", [](const Scene& scene, const Sampler& sampler, const PixelFilter& filter) {
                  return std::make_unique<BidirectionalPathTracer>(scene, sampler, filter, limits);
              }}};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "integrator/volume_sppm.h"
@@ -9,46 +10,24 @@
 #include "modeler/objects.h"
 #include "shape/sphere.h"
 #include "support/agreement.h"
+#include "support/extrapolated.h"
 
 namespace caustic::test {
 
-/// VolumeSppm without its bias: the same photons and paths within three radii, on surfaces and along rays. Bias is
-/// b₁R + b₂R², of edges and of curvature; L(R)/3 − 2 L(R/2) + 8/3 L(R/4) has neither.
-class Extrapolated final : public Integrator {
-public:
-    Extrapolated(const Scene& scene, const Sampler& sampler, const PixelFilter& filter, MediumDirect direct)
-        : Integrator(scene, sampler, filter) {
-        for (const Real share : {1.0, 0.5, 0.25}) {
-            VolumeSppmSettings settings;
-            settings.limits = {.maxLength = agreementSegments, .rouletteStart = 3};
-            settings.alpha = 1 - 1e-9;  // the radius stays
-            settings.radius = share * 0.15;
-            settings.beamRadius = share * 0.25;
-            settings.photons = 4000;
-            settings.direct = direct;
-            parts_.emplace_back(scene, sampler, filter, settings);
-        }
-    }
-
-    Rendering runPass(const Pass& pass, int threads) override {
-        const Rendering wide = parts_[0].runPass(pass, threads);
-        const Rendering half = parts_[1].runPass(pass, threads);
-        const Rendering quarter = parts_[2].runPass(pass, threads);
-        Rendering sum = {Film(wide.film.width(), wide.film.height()), wide.counts, 1, 0};
-        for (const PathId& path : pass.paths) {
-            const auto of = [&](const Rendering& part) { return part.film.value(path.pixel); };
-            sum.film.add(path.pixel, path.index, of(wide) / 3 - 2 * of(half) + of(quarter) * (8.0 / 3));
-        }
-        return sum;
-    }
-
-    Color Li(const Ray& ray, const MediumStack& media, const PathNumbers& numbers, RayCounts& counts) const override {
-        return parts_[2].Li(ray, media, numbers, counts);
-    }
-
-private:
-    std::vector<VolumeSppm> parts_;
-};
+/// VolumeSppm without its bias, on surfaces and along rays.
+inline std::unique_ptr<Integrator> unbiased(const Scene& scene, const Sampler& sampler, const PixelFilter& filter,
+                                            MediumDirect direct) {
+    return std::make_unique<Extrapolated<VolumeSppm>>(scene, sampler, filter, [direct](Real share) {
+        VolumeSppmSettings settings;
+        settings.limits = {.maxLength = agreementSegments, .rouletteStart = 3};
+        settings.alpha = 1 - 1e-9;  // the radius stays
+        settings.radius = share * 0.15;
+        settings.beamRadius = share * 0.25;
+        settings.photons = 4000;
+        settings.direct = direct;
+        return settings;
+    });
+}
 
 /// A ball of fog around everything.
 inline SceneObject fogAround(const Color& sigmaA, const Color& sigmaS, Real g) {
@@ -74,7 +53,7 @@ inline std::vector<AgreementMethod> foggyMethods(MediumDirect direct) {
     std::vector<AgreementMethod> all = agreementMethods();
     std::erase_if(all, [](const AgreementMethod& one) { return one.name == "light tracing"; });
     all.push_back({"photons in fog", [direct](const Scene& scene, const Sampler& sampler, const PixelFilter& filter) {
-                       return std::make_unique<Extrapolated>(scene, sampler, filter, direct);
+                       return unbiased(scene, sampler, filter, direct);
                    }});
     return all;
 }

@@ -19,4 +19,6 @@ label(setting) = strstrt(setting, "starts=") ? setting_text(setting, "starts") :
                  strstrt(setting, "samples=") ? setting_text(setting, "samples") : \
                  strstrt(setting, "tolerance=") ? setting_text(setting, "tolerance") : ""
 plot for [i=1:5] file using (strcol(1) eq methods[i] ? $3 : NaN):(wrong($5)) with linespoints lt i lw 1.4 ps 1.7 title methods[i], \
-     for [i=1:4] file using (strcol(1) eq methods[i] ? $3 : NaN):(wrong($5)):(label(strcol(2))) with labels offset 0.6,0.7 font ",12" notitle
+     for [i=1:2] file using (strcol(1) eq methods[i] ? $3 : NaN):(wrong($5)):(label(strcol(2))) with labels offset 0.6,0.7 font ",12" notitle, \
+     file using (strcol(1) eq methods[3] ? $3 : NaN):(wrong($5)):(label(strcol(2))) with labels right offset -0.9,-0.4 font ",12" notitle, \
+     file using (strcol(1) eq methods[4] ? $3 : NaN):(wrong($5)):(label(strcol(2))) with labels left offset 0.9,0.2 font ",12" notitle

@@ -20,8 +20,8 @@ plot for [i=1:2] file using (is(formulas[i]) ? setting_number(strcol(2), "ior") 
 set title "the same by time; tables for n = 1.5, steps beside the marks" font ",16"
 set xlabel "time, ns per reflectance"
 set logscale x
-set xrange [0.5:10]
-set xtics (0.5, 1, 2, 3, 5, 10)
+set xrange [*:*]
+set xtics (0.5, 1, 2, 3, 5, 10, 20, 50)
 plot for [i=1:3] file using (is(formulas[i]) ? $3 : NaN):5 with points lt i ps 1.6 title formulas[i], \
      file using (is("table") ? $3 * 1.1 : NaN):5:(setting_text(strcol(2), "steps")) with labels left font ",12" textcolor lt 3 notitle
 

@@ -9,6 +9,7 @@
 #include "image/picture_error.h"
 #include "image/tiles.h"
 #include "image/tone_mapping.h"
+#include "integrator/near_lamps.h"
 #include "integrator/picture.h"
 #include "measures/measured_scenes.h"
 #include "modeler/caustic_scene.h"

@@ -48,8 +48,4 @@ Image referenceOf(const MeasuredScene& scene, int width, const std::filesystem::
 /// @throws InputError unless the width is a divisor of the picture's
 Image shrunk(const Image& picture, int width);
 
-/// Pixels in which a lamp is seen, and those around them: row by row from the top.
-/// @param reach  how many pixels around
-std::vector<bool> pixelsNearLamps(const Scene& scene, int reach);
-
 }  // namespace caustic

@@ -11,6 +11,7 @@
 #include "figures/equal_time.h"
 #include "image/image_file.h"
 #include "image/picture_error.h"
+#include "integrator/near_lamps.h"
 #include "integrator/render.h"
 #include "measures/caustic_reference.h"
 #include "measures/measured_scenes.h"

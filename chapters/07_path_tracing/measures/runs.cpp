@@ -6,6 +6,7 @@
 #include "core/parallel.h"
 #include "core/progress.h"
 #include "image/picture_error.h"
+#include "integrator/near_lamps.h"
 #include "integrator/render.h"
 #include "measures/measured_scenes.h"
 #include "sampling/independent_sampler.h"

@@ -17,7 +17,7 @@ set ylabel "error of the radiance, rms"
 set grid xtics ytics
 do for [s=1:4] {
     set title titles[s] font ",17"
-    if (s == 1) { set key at graph 0.02,0.03 left bottom Left reverse opaque noenhanced } else { unset key }
+    if (s == 1) { set key at graph 0.98,0.97 right top Left reverse opaque noenhanced } else { unset key }
     plot [][lowest[s]:highest[s]] for [m=1:5] file every ::0 using (is(m, s) ? $3 : NaN):5 with linespoints lt m lw 2.2 ps 1.3 title methods[m]
 }
 unset multiplot

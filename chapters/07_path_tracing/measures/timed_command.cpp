@@ -8,6 +8,7 @@
 #include "image/image_file.h"
 #include "image/picture_error.h"
 #include "image/tone_mapping.h"
+#include "integrator/near_lamps.h"
 #include "integrator/render.h"
 #include "measures/measured_scenes.h"
 #include "measures/work.h"

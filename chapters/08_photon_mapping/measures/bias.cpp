@@ -60,8 +60,7 @@ void chartBias(FigureContext& context) {
         context.progress().advance();
     });
     for (std::size_t i = 0; i < runs; ++i)
-        table.addRow(filters[i / ks.size()].first,
-                     "k=" + std::to_string(ks[i % ks.size()]) + ";photons=" + std::to_string(photons), found[i].bias,
+        table.addRow(filters[i / ks.size()].first, "k=" + std::to_string(ks[i % ks.size()]), found[i].bias,
                      found[i].noise, "radiance (rms)");
     table.save(context.output("bias.csv"));
     context.chart("measures/bias.gp", "bias.png");

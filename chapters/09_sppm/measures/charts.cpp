@@ -13,12 +13,12 @@ void chartSpeedAccuracy(ChapterRuns& runs, FigureContext& context) {
 }
 
 void chartClaims(ChapterRuns& runs, FigureContext& context) {
-    CsvTable table({"method", "setting", "part", "error", "error_unit"});
+    CsvTable table({"method", "setting", "error", "error_unit"});
     for (const ErrorPoint& point : runs.mirrorErrors(context)) {
         if (point.method != Method::Pass && point.method != Method::Point) continue;
-        const std::string setting = "passes=" + std::to_string(point.passes);
-        table.addRow(nameOf(point.method), setting, "caustic", point.bright, "share of the radiance (rms)");
-        table.addRow(nameOf(point.method), setting, "dark", point.dark, "share of the radiance (rms)");
+        const std::string passes = ";passes=" + std::to_string(point.passes);
+        table.addRow(nameOf(point.method), "part=caustic" + passes, point.bright, "share of the radiance (rms)");
+        table.addRow(nameOf(point.method), "part=dark" + passes, point.dark, "share of the radiance (rms)");
     }
     table.save(context.output("claims.csv"));
     context.chart("measures/claims.gp", "claims.png");

@@ -9,4 +9,4 @@ set xlabel "passes"
 set ylabel "resident memory, MiB"
 is(m) = strcol(1) eq methods[m]
 set key at graph 0.02,0.05 left bottom Left reverse opaque noenhanced
-plot for [m=1:2] file every ::0 using (is(m) ? setting_number(strcol(2), "passes") : NaN):3 with linespoints lt m lw 2.4 ps 1.2 title methods[m]
+plot for [m=1:2] file every ::0 using (is(m) ? setting_number(strcol(2), "passes") : NaN):3 with linespoints lt m lw (m == 1 ? 6 : 2) ps 1.2 title methods[m]

@@ -9,8 +9,8 @@
 #include "core/check.h"
 #include "image/image_file.h"
 #include "image/picture_error.h"
+#include "integrator/near_lamps.h"
 #include "integrator/render.h"
-#include "measures/near_lamps.h"
 #include "sampling/sobol_sampler.h"
 #include "scenes.h"
 

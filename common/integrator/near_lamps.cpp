@@ -1,4 +1,4 @@
-#include "measures/near_lamps.h"
+#include "integrator/near_lamps.h"
 
 #include <algorithm>
 
