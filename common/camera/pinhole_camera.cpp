@@ -45,8 +45,8 @@ std::optional<ImportanceSample> PinholeCamera::sampleImportance(const Vec3& poin
     const auto film = filmPoint(-wi);
     if (!film) return std::nullopt;
     const Real cosine = -wi.dot(forward_);
-    // A pixel at distance 1 has the area pixelSize², and is seen from the pinhole under cos³ times that: We |cos| dω =
-    // dx.
+    // PBR, 3rd ed., 16.1.1: a pixel at distance 1 has the area pixelSize², and is seen from the pinhole under cos³
+    // times that: We |cos| dω = dx.
     const Real squared = cosine * cosine;
     const Real importance = 1 / (pixelSize() * pixelSize() * squared * squared);
     return ImportanceSample{*film, importance, wi, distance, cosine, 1, position_};
@@ -57,6 +57,7 @@ CameraPdf PinholeCamera::pdf(const Ray& ray) const {
     if (!filmPoint(direction)) return {};
     const Real area = pixelSize() * pixelSize() * Real(width_) * Real(height_);
     const Real cosine = direction.dot(forward_);
+    // PBR, 3rd ed., 16.1.1: uniform over the film, at distance 1.
     return {0, 1 / (area * cosine * cosine * cosine)};
 }
 

@@ -17,6 +17,7 @@ public:
     Vec2 sample(const Vec2& u) const override { return {alongAxis(u.x()), alongAxis(u.y())}; }
 
 private:
+    // The integral of 1 − |x| from −1 on, inverted.
     static Real alongAxis(Real u) { return u < 0.5 ? std::sqrt(2 * u) - 1 : 1 - std::sqrt(2 * (1 - u)); }
 };
 

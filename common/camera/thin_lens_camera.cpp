@@ -48,7 +48,8 @@ std::optional<ImportanceSample> ThinLensCamera::sampleImportance(const Vec3& poi
     const auto seen = pinhole_.sampleImportance(position_ + throughFocus(offset, -wi), lens);
     if (!seen) return std::nullopt;
     const Real squared = cosine * cosine;
-    // PBR 16.1.1: a pixel of unit area, spread over the lens: We |cos| dω dA = dx dA / (π r²), dx = dω / (pixel² cos³).
+    // PBR, 3rd ed., 16.1.1: a pixel of unit area, spread over the lens: We |cos| dω dA = dx dA / (π r²),
+    // dx = dω / (pixel² cos³).
     const Real pdfA = 1 / (std::numbers::pi * radius_ * radius_);
     const Real importance = pdfA / (pixelSize_ * pixelSize_ * squared * squared);
     return ImportanceSample{seen->film, importance, wi, distance, cosine, pdfA, at};
@@ -62,7 +63,7 @@ CameraPdf ThinLensCamera::pdf(const Ray& ray) const {
     const Vec3 seen = throughFocus(ray.origin - position_, direction);
     if (!(pinhole_.pdf({position_, seen}).pdfW > 0)) return {};
     const Real film = pixelSize_ * pixelSize_ * Real(width()) * Real(height());
-    // PBR 16.1.1: uniform over the lens and, from each of its points, over the film.
+    // PBR, 3rd ed., 16.1.1: uniform over the lens and, from each of its points, over the film.
     return {1 / (std::numbers::pi * radius_ * radius_), 1 / (film * cosine * cosine * cosine)};
 }
 

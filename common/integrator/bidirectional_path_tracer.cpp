@@ -16,7 +16,8 @@ constexpr std::size_t mostUsual = 8;  // vertices of a walk, for which room is m
 // Whether a walk can find the light by chance.
 bool canBeHit(const Light& light) { return !light.deltaPlace(); }
 
-// The walk that starts with this sample, at its first vertex, the light. Georgiev 2012, eq. 31 to 33.
+// The walk that starts with this sample, at its first vertex, the light. Georgiev 2012, eq. 31 to 33, and 48 to 50
+// for a light that is never hit.
 DensityWalk startOf(const LightStart& start) {
     const EmissionSample& emission = start.emission;
     const Light& light = *start.light.light;
@@ -35,8 +36,7 @@ DensityWalk startOf(const LightStart& start) {
 
 // The walk that starts at the eye, which no walk from a light hits by chance.
 // @param pdfW  density of the ray's direction on the film, 1/sr; 0 where nothing is splatted: beyond the film's edges,
-// or
-//              without a film
+//              or without a film
 DensityWalk startOf(const Ray& ray, Real pdfW) {
     const bool splatted = pdfW > 0;
     return {PathDensity::start(1, false), {.forward = splatted ? pdfW : 1, .connectible = splatted}, ray.origin, 1};
@@ -83,7 +83,7 @@ private:
         if (!seen) return;
         const ImportanceSample& camera = seen->camera;
         const Real pdfW = scene_.camera().pdf({camera.lens, -camera.wi}).pdfW;
-        // Veach 1997, eq. 8.2: over area.
+        // Veach 1997, 8.2.2: over area.
         const Real reverse = pdfW * at.geometricCosine(camera.wi) / (camera.distance * camera.distance);
         // Georgiev 2012, eq. 46; eq. 47, the eye's share, is 0.
         const Real others = walk_.density().others(reverse, at.reversePdfW(camera.wi));
@@ -150,7 +150,7 @@ private:
         // Georgiev 2012, eq. 44: the light's only vertex, in the measure of solid angle, seen from here.
         const Real fromLight = PathDensity::start(direct->pdfW, canBeHit(light)).others(at.pdfW(sample.wi), 0);
         const EmissionPdf pdf = light.pdfEmission(sample.on, -sample.wi);
-        // Veach 1997, eq. 8.2: over area. What comes from infinity has a density over the disc that it passes.
+        // Veach 1997, 8.2.2: over area. What comes from infinity has a density over the disc that it passes.
         const Real perArea = light.infinite() ? pdf.pdfA : pdf.pdfW / sample.ray.direction.squaredNorm();
         // Georgiev 2012, eq. 45.
         const Real fromEye = walk_.density().others(perArea * at.geometricCosine(sample.wi), at.reversePdfW(sample.wi));
@@ -163,7 +163,7 @@ private:
         const auto joined = connectVertices(tracer_.scene(), {z, path.beta}, {y, light.beta}, counts_);
         if (!joined) return;
         const Vec3& wi = joined->wi;
-        // Veach 1997, eq. 8.2: each end is picked by the other one, over area.
+        // Veach 1997, 8.2.2: each end is picked by the other one, over area.
         const Real pickedY = z.pdfW(wi) * y.geometricCosine(wi) / joined->squaredDistance;
         const Real pickedZ = y.pdfW(-wi) * z.geometricCosine(wi) / joined->squaredDistance;
         // Georgiev 2012, eq. 40.

@@ -12,7 +12,7 @@ std::optional<LightStart> startAtLight(const Scene& scene, const LightChoice& li
     if (!emission) return std::nullopt;
     LightStart start = {*light, *emission, Color::Zero(), {}};
     const Real cosine = std::abs(emission->ng.dot(emission->ray.direction));
-    // Veach 1997, eq. 10.6.
+    // Veach 1997, 10.2: the first factor of a light path's α.
     start.beta = emission->radiance * cosine / (light->probability * emission->pdfA * emission->pdfW);
     if (scene.needs().interiors) start.media = scene.mediaAt(emission->ray.origin);
     return start;

@@ -12,7 +12,7 @@ Real squared(Real x) { return x * x; }
 
 PathDensity PathDensity::next(const VertexPdf& left, const Segment& segment) const {
     //! [ex-07.7]
-    // Veach 1997, eq. 8.2: dω/dA turns densities over solid angle into densities over area, there and back.
+    // Veach 1997, 8.2.2: dω/dA turns densities over solid angle into densities over area, there and back.
     const Real pdfA = left.forward * segment.cosTo / segment.squaredDistance;
     const Real backToArea = segment.cosFrom / segment.squaredDistance;
     PathDensity there;

@@ -57,6 +57,8 @@ Color RayTracer::direct(const Interaction& at, int vertex, const PathNumbers& nu
             const Color f = at.f(sample->wi, TransportMode::Radiance);
             if ((f == 0).all()) continue;
             const Color passed = scene().transmittance(sample->ray, at.media(sample->wi), counts);
+            // Shirley, Wang, Zimmerman 1996, Monte Carlo Techniques for Direct Lighting Calculations:
+            // ∫ f |cos| L dω, from points of the light.
             sum += f * at.cosine(sample->wi) * sample->radiance * passed / (sample->pdfW * samples);
         }
     }
@@ -71,6 +73,7 @@ Color RayTracer::ambient(const Interaction& at, int vertex, const PathNumbers& n
         at.bsdf()->sample(at.wo(), numbers.pair(Dimension::vertex(vertex, VertexUse::Direction)),
                           numbers.number(Dimension::vertex(vertex, VertexUse::Lobe)), TransportMode::Radiance);
     if (!sample || sample->delta()) return Color::Zero();
+    // PBR, 4th ed., 2.1: the mean of what is integrated over its density.
     return sample->f * at.bsdf()->cosine(sample->wi) / sample->pdfW * scene().ambient();
 }
 

@@ -9,6 +9,7 @@ std::optional<Real> roulette(const Color& share, Real u) {
     const Real survival = share.maxCoeff();
     if (survival >= 1) return 1;
     if (u >= survival) return std::nullopt;
+    // Arvo, Kirk 1990.
     return 1 / survival;
     //! [ex-07.2]
 }

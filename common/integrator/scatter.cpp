@@ -12,7 +12,7 @@ std::optional<Scattering> scatter(const Interaction& at, TransportMode mode, con
     if (!sample) return std::nullopt;
     // A delta lobe's weight is integrated over its one direction already: it has no cosine any more.
     const Real cosine = sample->delta() ? 1 : at.cosine(sample->wi);
-    // Veach 1997, eq. 10.6 and 10.7.
+    // Veach 1997, eq. 10.7.
     return Scattering{*sample, sample->f * cosine / sample->pdfW};
     //! [ex-07.1]
 }

@@ -19,7 +19,7 @@ std::optional<VertexConnection> connectVertices(const Scene& scene, const WalkEn
     if ((atLight == 0).all()) return std::nullopt;
     const Color passed = scene.transmittance(eye.at.spawnTo(light.at), eye.at.media(wi), counts);
     if ((passed == 0).all()) return std::nullopt;
-    // Veach 1997, eq. 10.8, with G of eq. 8.2.
+    // Veach 1997, eq. 10.8, with G of 8.1.
     const Real geometry = eye.at.cosine(wi) * light.at.cosine(-wi) / squaredDistance;
     return VertexConnection{wi, squaredDistance, eye.beta * atEye * geometry * passed * atLight * light.beta};
     //! [ex-07.6]

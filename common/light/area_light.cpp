@@ -44,7 +44,7 @@ std::optional<DirectSample> AreaLight::sampleDirect(const SurfacePoint& from, co
     const Vec3 wi = way / std::sqrt(squared);
     const Real cosine = -wi.dot(sample->at.ng);
     if (cosine <= 0) return std::nullopt;
-    // Veach 1997, eq. 8.2: from area to solid angle.
+    // Veach 1997, 8.2.2: from area to solid angle.
     const Real pdfW = sample->pdfA * squared / cosine;
     return DirectSample{wi, radiance_->at(sample->at), pdfW, spawnRayTo(from, sample->at), sample->at};
     //! [ex-05.5]
@@ -54,7 +54,7 @@ Real AreaLight::pdfW(const Vec3& from, const SurfacePoint& on) const {
     const Vec3 way = on.point - from;
     const Real squared = way.squaredNorm();
     const Real cosine = -way.dot(on.ng) / std::sqrt(squared);
-    // Veach 1997, eq. 8.2: from area to solid angle.
+    // Veach 1997, 8.2.2: from area to solid angle.
     return cosine > 0 ? shape_->pdfA(on) * squared / cosine : 0;
 }
 
@@ -63,6 +63,7 @@ std::optional<EmissionSample> AreaLight::sampleEmission(const Vec2& uPlace, cons
     const Vec3 local = cosineHemisphere(uDirection);
     if (!(local.z() > 0)) return std::nullopt;
     const Vec3 direction = Frame::around(sample->at.ng).toWorld(local);
+    // PBR, 3rd ed., 16.1.2: a point of the shape; the direction has the density of cosineHemisphere.
     return EmissionSample{spawnRay(sample->at, direction), sample->at.ng, radiance_->at(sample->at), sample->pdfA,
                           local.z() * std::numbers::inv_pi};
 }
@@ -70,6 +71,7 @@ std::optional<EmissionSample> AreaLight::sampleEmission(const Vec2& uPlace, cons
 EmissionPdf AreaLight::pdfEmission(const SurfacePoint& at, const Vec3& direction) const {
     const Real cosine = direction.dot(at.ng);
     if (cosine <= 0) return {};
+    // As in sampleEmission.
     return {shape_->pdfA(at), cosine * std::numbers::inv_pi};
 }
 
@@ -78,6 +80,7 @@ Color AreaLight::Le(const SurfacePoint& on, const Vec3& wo) const {
     return radiance_->at(on);
 }
 
+// PBR, 4th ed., 12.4.
 Color AreaLight::power() const { return std::numbers::pi * area_ * radiance_->mean(); }
 
 }  // namespace caustic

@@ -29,10 +29,12 @@ std::optional<DirectSample> ConeLight::sampleDirect(const SurfacePoint& from, co
 
 std::optional<EmissionSample> ConeLight::sampleEmission(const Vec2&, const Vec2& uDirection) const {
     const Vec3 direction = frame_.toWorld(uniformCone(uDirection, cosLimit_));
+    // PBR, 4th ed., A.5.4: uniform within the cone.
     return EmissionSample{{position_, direction}, direction, intensity_, 1, 1 / solidAngle()};
 }
 
 EmissionPdf ConeLight::pdfEmission(const SurfacePoint&, const Vec3& direction) const {
+    // As in sampleEmission.
     return {0, lights(direction) ? 1 / solidAngle() : 0};
 }
 

@@ -30,6 +30,7 @@ std::optional<DirectSample> ConstantEnvironment::sampleDirect(const SurfacePoint
     return DirectSample{wi, radiance_, pdfW(from.point, wi), spawnRay(from, wi), {}};
 }
 
+// PBR, 4th ed., A.5.2: uniform over the sphere.
 Real ConstantEnvironment::pdfW(const Vec3&, const Vec3&) const { return 1 / (4 * pi); }
 
 std::optional<EmissionSample> ConstantEnvironment::sampleEmission(const Vec2& uPlace, const Vec2& uDirection) const {
@@ -37,10 +38,12 @@ std::optional<EmissionSample> ConstantEnvironment::sampleEmission(const Vec2& uP
     const Frame frame = Frame::around(direction);
     const Vec2 disc = radius_ * concentricDisc(uPlace);
     const Vec3 origin = center_ - radius_ * direction + disc.x() * frame.s + disc.y() * frame.t;
+    // PBR, 4th ed., 12.5: uniform over the disc that the scene shows in this direction, which is uniform itself.
     return EmissionSample{{origin, direction}, direction, radiance_, 1 / (pi * radius_ * radius_), 1 / (4 * pi)};
 }
 
 EmissionPdf ConstantEnvironment::pdfEmission(const SurfacePoint&, const Vec3&) const {
+    // As in sampleEmission.
     return {1 / (pi * radius_ * radius_), 1 / (4 * pi)};
 }
 

@@ -13,6 +13,7 @@ inline std::optional<DirectSample> directFromPoint(const SurfacePoint& from, con
     const Vec3 way = light - from.point;
     const Real squared = way.squaredNorm();
     if (!(squared > 0) || (intensity == 0).all()) return std::nullopt;
+    // PBR, 4th ed., 12.2: intensity over distance squared.
     return DirectSample{way / std::sqrt(squared),
                         intensity / squared,
                         1,

@@ -26,9 +26,11 @@ std::optional<DirectSample> PointLight::sampleDirect(const SurfacePoint& from, c
 
 std::optional<EmissionSample> PointLight::sampleEmission(const Vec2&, const Vec2& uDirection) const {
     const Vec3 direction = uniformSphere(uDirection);
+    // PBR, 4th ed., A.5.2: uniform over the sphere.
     return EmissionSample{{position_, direction}, direction, intensity_, 1, 1 / wholeSphere};
 }
 
+// As in sampleEmission.
 EmissionPdf PointLight::pdfEmission(const SurfacePoint&, const Vec3&) const { return {0, 1 / wholeSphere}; }
 
 Color PointLight::power() const { return wholeSphere * intensity_; }

@@ -13,6 +13,7 @@ Color Bsdf::f(const Vec3& wo, const Vec3& wi, TransportMode mode) const {
     if ((in.z() < 0) != transmits) return Color::Zero();
     const Real eta = shading_.eta(side);
     const Color energy = localF(shading_.toLocal(wo, side), in, eta);
+    // Veach 1997, 5.2: radiance is denser where the index is larger.
     return transmits ? Color(energy / (eta * eta)) : energy;
 }
 
@@ -46,6 +47,7 @@ std::optional<BsdfSample> Bsdf::deltaToWorld(const BsdfSample& local, const Vec3
     const bool crosses = shading_.side(world.wi) != side;
     if (crosses != local.transmits() || (local.wi.z() < 0) != local.transmits()) return std::nullopt;
     world.eta = crosses ? shading_.eta(side) : 1;
+    // Veach 1997, 5.3.2 for importance, 5.2 for radiance.
     world.f *= mode == TransportMode::Importance ? normalsFactor(wo, world.wi) : 1 / (world.eta * world.eta);
     return world;
 }
@@ -63,6 +65,7 @@ std::optional<BsdfSample> Bsdf::nonSpecularToWorld(const BsdfSample& local, cons
     if (turned) {
         world.f = f(wo, world.wi, mode);
     } else if (mode == TransportMode::Radiance) {
+        // Veach 1997, 5.2.
         world.f /= world.eta * world.eta;
     } else if (shading_.toLocal(wo, side).z() < 0) {
         world.f = Color::Zero();
@@ -72,7 +75,7 @@ std::optional<BsdfSample> Bsdf::nonSpecularToWorld(const BsdfSample& local, cons
     return world;
 }
 
-// What makes shading normals mean the same for paths from lights as for those from the eye. Source: Veach, eq. 5.19.
+// What makes shading normals mean the same for paths from lights as for those from the eye. Source: Veach 1997, 5.3.2.
 Real Bsdf::normalsFactor(const Vec3& wo, const Vec3& wi) const {
     const Real above = std::abs(wo.dot(shading_.frame.n) * wi.dot(shading_.ng));
     const Real below = std::abs(wo.dot(shading_.ng) * wi.dot(shading_.frame.n));

@@ -16,7 +16,7 @@ enum class TransportMode {
     /// 1/eta², since its solid angle changes. Source: Veach 5.2.
     Radiance,
     /// Importance, on a path from a light. No such scale, but the factor that makes shading normals mean the same for
-    /// both kinds of path. Source: Veach 5.3, eq. 5.19.
+    /// both kinds of path. Source: Veach 5.3.2.
     Importance
 };
 

@@ -14,7 +14,7 @@ DeltaLobes DielectricBsdf::localDeltaLobes(const Vec3& wo, Real eta) const {
     const auto through = refracted(wo, Vec3::UnitZ(), eta);
     const Real reflects = through ? fresnelDielectric(wo.z(), eta) : 1;
     const Real transmits = 1 - reflects;
-    // A share for each in energy, which is also how often it is chosen.
+    // PBR, 4th ed., 9.5: a share for each in energy, which is also how often it is chosen.
     if (reflects > 0)
         all.add({reflected(wo, Vec3::UnitZ()), Color::Constant(reflects), reflects, 1,
                  LobeFlags::Delta | LobeFlags::Reflection});

@@ -8,10 +8,12 @@ namespace caustic {
 
 Color DiffuseBsdf::localF(const Vec3&, const Vec3& wi, Real) const {
     if (wi.z() <= 0) return Color::Zero();
+    // PBR, 4th ed., 9.2: the same into all directions.
     return reflectance_ * std::numbers::inv_pi;
 }
 
 Real DiffuseBsdf::localPdfW(const Vec3&, const Vec3& wi, Real) const {
+    // PBR, 4th ed., A.5.3: the density of cosineHemisphere.
     return wi.z() > 0 ? wi.z() * std::numbers::inv_pi : 0;
 }
 

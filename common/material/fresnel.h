@@ -14,7 +14,7 @@ Real fresnelDielectric(Real cosO, Real eta);
 
 /// Schlick's formula for the same: R0 + (1 − R0)(1 − cos)⁵, where R0 = ((1 − eta)/(1 + eta))² is exact at normal
 /// incidence and cos is the cosine on the side of the smaller index. Exact at the critical angle and beyond it, too.
-/// Source: Schlick 1994, An Inexpensive BRDF Model for Physically-based Rendering, eq. 15.
+/// Source: Schlick 1994, An Inexpensive BRDF Model for Physically-based Rendering.
 /// @param cosO  cosine between wo and the normal on wo's side, in [0, 1]
 /// @param eta   index of refraction on the other side over the one on wo's side, greater than 0
 Real schlick(Real cosO, Real eta);

@@ -28,7 +28,7 @@ public:
     /// @param w  unit direction, above or below the surface; infinite along it
     Real lambda(const Vec3& w) const;
 
-    /// Share of the facets facing w that w sees, in [0, 1].
+    /// Share of the facets facing w that w sees, in [0, 1]. Source: Heitz 2014, eq. 43.
     Real G1(const Vec3& w) const { return 1 / (1 + lambda(w)); }
 
     /// Share of the facets that both see, wo and wi on the same side, in [0, 1]: a facet high up is seen from both.
@@ -52,7 +52,7 @@ public:
     Real pdfVisible(const Vec3& wo, const Vec3& wm) const;
 
     /// Samples a normal among all, seen or not, with the density D(wm) wm.z. What was usual before visible normals, and
-    /// is here to compare. Source: Walter 2007, eq. 35.
+    /// is here to compare. Source: Walter 2007, eq. 35 and 36.
     Vec3 sampleAll(const Vec2& u) const;
 
 private:

@@ -23,6 +23,7 @@ Real highlightCosine(const Vec3& wo, const Vec3& wi) { return std::max(Real(0), 
 Color PhongBsdf::localF(const Vec3& wo, const Vec3& wi, Real) const {
     //! [ex-05.4]
     if (wi.z() <= 0) return Color::Zero();
+    // Lafortune, Willems 1994: with this factor the lobe reflects no more than `specular_`.
     const Real highlight = (exponent_ + 2) / (2 * pi) * std::pow(highlightCosine(wo, wi), exponent_);
     return diffuse_ / pi + specular_ * highlight;
     //! [ex-05.4]
@@ -31,7 +32,9 @@ Color PhongBsdf::localF(const Vec3& wo, const Vec3& wi, Real) const {
 Real PhongBsdf::localPdfW(const Vec3& wo, const Vec3& wi, Real) const {
     if (wi.z() <= 0) return 0;
     const Real diffuse = diffuseProbability();
+    // Lafortune, Willems 1994: the density of powerHemisphere around the mirror direction.
     const Real highlight = (exponent_ + 1) / (2 * pi) * std::pow(highlightCosine(wo, wi), exponent_);
+    // Each lobe by the chance that it is picked; the diffuse one by PBR, 4th ed., A.5.3.
     return diffuse * wi.z() / pi + (1 - diffuse) * highlight;
 }
 

@@ -13,6 +13,7 @@ Color RoughConductorBsdf::localF(const Vec3& wo, const Vec3& wi, Real) const {
     if (wo.z() <= 0 || wi.z() <= 0) return Color::Zero();
     const Vec3 wm = (wo + wi).normalized();
     const Color reflectance = fresnelConductor(std::min(wo.dot(wm), Real(1)), metal_.eta, metal_.k);
+    // Walter 2007, eq. 20.
     return reflectance * facets_.D(wm) * facets_.reflectionG(wo, wi) / (4 * wo.z() * wi.z());
     //! [ex-06.7]
 }
@@ -20,7 +21,8 @@ Color RoughConductorBsdf::localF(const Vec3& wo, const Vec3& wi, Real) const {
 Real RoughConductorBsdf::localPdfW(const Vec3& wo, const Vec3& wi, Real) const {
     if (wo.z() <= 0 || wi.z() <= 0) return 0;
     const Vec3 wm = (wo + wi).normalized();
-    // Turning wm by an angle turns wi by twice that: the density of wi is 1/(4 wo · wm) times that of wm.
+    // PBR, 4th ed., eq. 9.28. Turning wm by an angle turns wi by twice that: the density of wi is 1/(4 wo · wm) times
+    // that of wm.
     return facets_.pdfVisible(wo, wm) / (4 * wo.dot(wm));
 }
 

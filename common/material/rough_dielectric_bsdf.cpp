@@ -12,13 +12,14 @@ namespace caustic {
 namespace {
 
 // The normal of the facets that refract wo into wi, above the surface. By Snell's law wo + eta wi has no part along the
-// facet.
+// facet. Walter 2007, eq. 16.
 Vec3 refractingNormal(const Vec3& wo, const Vec3& wi, Real eta) {
     const Vec3 wm = (wo + eta * wi).normalized();
     return wm.z() < 0 ? -wm : wm;
 }
 
-// Solid angle of facet normals per solid angle of the refracted direction: |dwm/dwi|. Walter 2007, eq. 17.
+// Solid angle of facet normals per solid angle of the refracted direction: |dwm/dwi|. PBR, 4th ed., eq. 9.36;
+// Walter 2007, eq. 17.
 Real normalsPerRefracted(const Vec3& wo, const Vec3& wi, const Vec3& wm, Real eta) {
     //! [ex-06.8]
     const Real o = wo.dot(wm);
@@ -57,11 +58,13 @@ RoughDielectricBsdf::Value RoughDielectricBsdf::value(const Vec3& wo, const Vec3
     const Real reflectance = fresnelDielectric(cosO, eta);
     const Real visible = facets_.pdfVisible(wo, wm);
     if (reflects) {
+        // Walter 2007, eq. 20, and PBR, 4th ed., eq. 9.28, for the share of light that is reflected.
         const Real f = reflectance * facets_.D(wm) * facets_.reflectionG(wo, wi) / (4 * wo.z() * wi.z());
         return {f, reflectance * visible / (4 * cosO)};
     }
     const Real density = normalsPerRefracted(wo, wi, wm, eta);
     const Real through = (1 - reflectance) * density;
+    // Walter 2007, eq. 21.
     const Real f = through * facets_.D(wm) * facets_.transmissionG(wo, wi) * cosO / (wo.z() * -wi.z());
     return {f, through * visible};
 }

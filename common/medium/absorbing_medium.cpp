@@ -25,7 +25,8 @@ Color AbsorbingMedium::transmittance(const Ray& ray, Real tEnd) const {
     //! [ex-05.3]
     const Real distance = tEnd * ray.direction.norm();
     Color passed;
-    // A channel that isn't absorbed passes however far it goes: 0 · ∞ must not come into it.
+    // PBR, 4th ed., 11.2: Beer's law. A channel that isn't absorbed passes however far it goes: 0 · ∞ must not come
+    // into it.
     for (int channel = 0; channel < 3; ++channel)
         passed[channel] = sigmaA_[channel] == 0 ? 1 : std::exp(-sigmaA_[channel] * distance);
     return passed;

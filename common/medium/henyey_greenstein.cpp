@@ -24,7 +24,7 @@ Real HenyeyGreenstein::p(const Vec3& wo, const Vec3& wi) const {
 
 PhaseSample HenyeyGreenstein::sample(const Vec3& wo, const Vec2& u) const {
     //! [ex-11.5]
-    // The distribution of cosθ inverted (PBR 11.6), as 1 − cosθ and 1 + cosθ: no difference of nearly equal numbers,
+    // The distribution of cosθ inverted (PBR 11.3), as 1 − cosθ and 1 + cosθ: no difference of nearly equal numbers,
     // and nothing is divided by g.
     const Real d = 1 - g_ + 2 * g_ * u.x();
     const Real less = 2 * (1 - g_) * (1 - g_) * (1 - u.x()) * (1 + g_ * u.x()) / (d * d);

@@ -31,11 +31,11 @@ DistanceSample HomogeneousMedium::sampleDistance(const Ray& ray, Real tEnd, Real
     const Real distance = sigma > 0 ? -std::log1p(-uDistance) / sigma : end;
     if (distance >= end) {
         const Color T = passed(end);
-        // PBR 15.9: probability of passing, mean over the channels that might have been picked.
+        // PBR, 3rd ed., 15.2: probability of passing, mean over the channels that might have been picked.
         return {false, tEnd, T / T.mean(), T.mean()};
     }
     const Color T = passed(distance);
-    // PBR 15.8: density of the distance, mean over the channels.
+    // PBR, 3rd ed., 15.2: density of the distance, mean over the channels.
     const Real pdf = (sigmaT_ * T).mean();
     return {true, distance / length, sigmaS_ * T / pdf, pdf};
     //! [coloured-distance]

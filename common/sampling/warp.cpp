@@ -18,6 +18,7 @@ Vec3 aroundAxis(Real z, Real turn) {
 
 }  // namespace
 
+// PBR, 4th ed., A.5.1: Shirley and Chiu's map.
 Vec2 concentricDisc(const Vec2& u) {
     const Vec2 offset = 2 * u - Vec2::Ones();
     if (offset.isZero(0)) return Vec2::Zero();
@@ -27,15 +28,19 @@ Vec2 concentricDisc(const Vec2& u) {
     return r * Vec2(std::cos(angle), std::sin(angle));
 }
 
+// PBR, 4th ed., A.5.3: Malley's method.
 Vec3 cosineHemisphere(const Vec2& u) {
     const Vec2 disc = concentricDisc(u);
     return {disc.x(), disc.y(), std::sqrt(std::max(Real(0), 1 - disc.squaredNorm()))};
 }
 
+// PBR, 4th ed., A.5.2: z is uniform.
 Vec3 uniformSphere(const Vec2& u) { return aroundAxis(1 - 2 * u.x(), u.y()); }
 
+// PBR, 4th ed., A.5.4: z is uniform, from cosLimit on.
 Vec3 uniformCone(const Vec2& u, Real cosLimit) { return aroundAxis(1 - u.x() * (1 - cosLimit), u.y()); }
 
+// Lafortune, Willems 1994: the share zⁿ⁺¹ of all directions is further from the axis, inverted.
 Vec3 powerHemisphere(const Vec2& u, Real exponent) {
     return aroundAxis(std::pow(1 - u.x(), 1 / (exponent + 1)), u.y());
 }

@@ -56,7 +56,7 @@ SceneObject leaningFloor(const Vec3& ns) {
 }
 
 // β f cos θ We cos θ' / d², with We = 1/(pixel's area at distance 1 · cos⁴ θ') for a pinhole. On a smooth mesh a path
-// from a light brings f |wo·ns| |wi·ng| / |wo·ng| (Veach, eq. 5.19).
+// from a light brings f |wo·ns| |wi·ng| / |wo·ng| (Veach 5.3.2).
 TEST(CameraConnection, BringsWhatThePixelSees) {
     const Vec3 ns = Vec3(0.3, 1, 0.1).normalized();
     for (const bool smooth : {false, true}) {
@@ -133,7 +133,7 @@ TEST(VertexConnection, HasTheGeometryTerm) {
 }
 
 // On a smooth mesh the end of the eye's walk scatters radiance, f |wi·ns|; that of the light's walk importance,
-// f |wo·ns| |wi·ng| / |wo·ng| (Veach, eq. 5.19).
+// f |wo·ns| |wi·ng| / |wo·ng| (Veach 5.3.2).
 TEST(VertexConnection, ScattersWhatEachWalkCarries) {
     const Vec3 ns = Vec3(0.3, 1, 0.1).normalized();
     const Scene scene({.objects = {leaningFloor(ns), ceiling(0.4)}});
