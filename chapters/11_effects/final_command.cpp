@@ -34,7 +34,7 @@ VolumeSppmSettings finalSettings(int photons) {
     return settings;
 }
 
-Image developedFinal(const Image& radiance) { return toneMapped(radiance, 2, 6); }
+Image developedFinal(const Image& radiance) { return toneMapped(radiance, 3, 6); }
 
 void renderFinal(const FinalWishes& wishes, const ChapterInputs& chapter, const ChapterOptions& options) {
     const int width = static_cast<int>(wishes.width);

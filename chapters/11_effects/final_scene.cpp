@@ -11,7 +11,7 @@
 #include "light/environment_map.h"
 #include "light/weighted_shape.h"
 #include "maps.h"
-#include "material/conductor_material.h"
+#include "material/rough_conductor_material.h"
 #include "material/dielectric_material.h"
 #include "material/phong_material.h"
 #include "medium/absorbing_medium.h"
@@ -79,8 +79,8 @@ void addTeapot(SceneDescription& scene, bool normals, const FindAsset& asset) {
     const Transform place = Transform::translation({0.09, clearance, -0.24}) *
                             Transform::rotation(Vec3::UnitY(), 0.45) * Transform::scaling(Vec3::Constant(scale)) *
                             upright;
-    if (normals) pot = dented(pot, hammeredPattern(512, 5, 0.03, 3), Vec2(2, 1));
-    scene.objects.push_back({placed(pot, place), std::make_shared<ConductorMaterial>(Metal::copper())});
+    if (normals) pot = dented(pot, hammeredPattern(512, 5, 0.022, 3), Vec2(2, 1));
+    scene.objects.push_back({placed(pot, place), std::make_shared<RoughConductorMaterial>(Metal::copper(), 0.13, 0.13)});
 }
 
 void addBunny(SceneDescription& scene, const FindAsset& asset) {
@@ -138,7 +138,7 @@ void addSky(SceneDescription& scene, bool environment, const FindAsset& asset) {
     } else {
         sky = std::make_shared<ConstantEnvironment>(EnvironmentMap(std::move(evening)).mean());
     }
-    scene.lights.push_back(std::make_shared<ChosenAs>(std::move(sky), 2));
+    scene.lights.push_back(std::make_shared<ChosenAs>(std::move(sky), 6));
 }
 
 }  // namespace
@@ -164,7 +164,7 @@ SceneDescription finalScene(const FinalParts& parts, const FindAsset& asset, int
     const Vec3 eye(0.02, 0.25, 1.0);
     const Vec3 target(0.02, 0.088, 0);
     scene.camera = std::make_shared<ThinLensCamera>(eye, target, Vec3::UnitY(), 0.325, width, height,
-                                                    parts.lens ? 0.008 : 0, (Vec3(0, 0.08, 0.04) - eye).norm());
+                                                    parts.lens ? 0.006 : 0, (Vec3(0, 0.08, 0.04) - eye).norm());
     return scene;
 }
 
