@@ -8,7 +8,7 @@ namespace caustic {
 ///
 /// Such a tree has its own coordinates, in which all that it holds fits into the cube [-1, 1]³. The ray starts in or
 /// near that cube, and its direction's largest component is between 1 and 2, so that nothing there is farther than
-/// t = 4. What it meets are candidates, to be looked at more closely by who knows the ray in full precision.
+/// t = 4. What it meets are candidates, to be looked at more closely by whoever knows the ray in full precision.
 struct TreeRay {
     std::array<float, 3> origin;   ///< where t = 0
     std::array<float, 3> inverse;  ///< 1 / direction; where that is next to zero, huge but finite

@@ -38,7 +38,7 @@ public:
 
     /// Calls visit(block) for the blocks that the ray may meet. `visit` shortens ray.tMax when it finds a hit, and
     /// returns whether to stop.
-    /// @tparam nearFirst  whether near blocks come before far ones; who wants any hit is faster without
+    /// @tparam nearFirst  whether near blocks come before far ones; a search for any hit is faster without
     /// @param onNode  called for every node that is visited, blocks not included
     template <bool nearFirst, typename Visit, typename OnNode>
     void traverse(TreeRay& ray, const Visit& visit, const OnNode& onNode) const;

@@ -65,8 +65,8 @@ private:
 };
 
 /// Pixels in which a further batch takes most off the picture's squared error: the variance of a mean, V, over the
-/// number of batches, n, since V − V n/(n + 1) = V/(n + 1). It has paths go as the noise's deviation does, which is
-/// what makes the squared error of the whole least. They want paths for ever. Source: Neyman 1934, On the Two Different
+/// number of batches, n, since V − V n/(n + 1) = V/(n + 1). Paths then go as the noise's standard deviation, which
+/// makes the squared error of the whole least. They want paths for ever. Source: Neyman 1934, On the Two Different
 /// Aspects of the Representative Method, V.
 class GainRule final : public AdaptiveRule {
 public:

@@ -10,7 +10,7 @@ namespace caustic {
 
 namespace {
 
-// Light of a lamp that comes to a place of the piece and is turned to its begin there, 1/m of what σ_s counts apart.
+// Light of a lamp that comes to a place of the piece and is turned to where it begins, 1/m of what σ_s counts apart.
 Color turnedAt(const Scene& scene, const LightChoice& lights, const MediumSpan& span, Real t, int vertex,
                const PathNumbers& numbers, RayCounts& counts) {
     const Interaction at(span.ray.at(t), -span.ray.direction, *span.medium->phase(), span.media);

@@ -5,9 +5,9 @@
 
 namespace caustic {
 
-/// Radiance that a piece of a ray sends to its begin of the light that comes to the medium there straight from the
-/// lamps: single scattering. An estimate from some places of the piece, picked by equi-angular sampling around points
-/// of lamps, one in each of equal shares of the angle; for lamps that are infinitely far away, by the medium.
+/// Radiance that the medium along a piece of a ray scatters to where the piece begins, of light that comes straight
+/// from the lamps: single scattering. An estimate from some places of the piece, picked by equi-angular sampling around
+/// points of lamps, one in each of equal shares of the angle; for lamps that are infinitely far away, by the medium.
 ///
 /// Source: Kulla, Fajardo 2012.
 /// @param span     where

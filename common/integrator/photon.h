@@ -13,7 +13,7 @@ namespace caustic {
 enum class PhotonWay {
     Direct,   ///< straight
     Caustic,  ///< by delta lobes only: mirrors and smooth boundaries
-    Indirect  ///< by at least one surface, or medium, that spreads light
+    Indirect  ///< by at least one non-specular surface, or a medium
 };
 
 /// The way of light that is scattered once more.

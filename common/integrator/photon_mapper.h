@@ -19,7 +19,7 @@ enum class MapUse {
                ///< whose ends all light is looked up
 };
 
-/// How a PhotonMapper goes about it.
+/// Settings of a PhotonMapper.
 struct PhotonMapperSettings {
     std::int64_t photons = 100'000;  ///< that set out; at least 1
     PathLimits limits = {16, 1};     ///< of a photon's way, and of a path from the eye
@@ -31,12 +31,12 @@ struct PhotonMapperSettings {
 };
 
 /// Photon mapping: photons are sent out from the lamps once and stay where they arrive; then paths from the eye go on
-/// over mirrors and through smooth glass to the first surface that spreads light, and look there. So light is found
+/// over mirrors and through smooth glass to the first non-specular surface, and look there. So light is found
 /// that comes over delta lobes to a surface which is seen over delta lobes. The price is blur: of what the photons of a
 /// disc bring, all points around its middle get the mean. Points at which a medium scatters get direct light only.
 ///
 /// A map for caustics is made only where the scene has specular surfaces, and photons are sent out only where something
-/// shines and something spreads light.
+/// shines and something is non-specular.
 /// Source: Jensen 1996, Global Illumination using Photon Maps; Jensen 2001.
 class PhotonMapper final : public Integrator {
 public:

@@ -21,15 +21,15 @@ struct PhotonSettings {
     /// doubles the photons behind smooth glass.
     int splits = 0;
 
-    /// Whether photons that come straight from a lamp are kept. Who samples direct light at each point needs none.
+    /// Whether photons that come straight from a lamp are kept. An integrator that samples direct light at each
+    /// point needs none.
     bool direct = true;
 };
 
-/// Sends photons out from the lamps and keeps each where it comes to a surface that spreads light, on every one of its
-/// way. A lamp gets photons in proportion to its power. The powers of all photons that set out sum to that of the
-/// lamps, in the mean; a photon that is reflected lies at each of the surfaces with what it brings there.
-/// Source: Jensen 1996, Global Illumination using Photon Maps, 2.1; Jensen 2001, Realistic Image Synthesis using Photon
-/// Mapping, ch. 5.
+/// Sends photons out from the lamps and keeps a copy of each wherever it comes to a non-specular surface. A lamp gets
+/// photons in proportion to its power. The powers of all photons that set out sum to that of the lamps, in the mean; a
+/// photon that is reflected lies at each of the surfaces with what it brings there. Source: Jensen 1996, Global
+/// Illumination using Photon Maps, 2.1; Jensen 2001, Realistic Image Synthesis using Photon Mapping, ch. 5.
 /// @param first    number of the first photon: the numbers that decide its way belong to it
 /// @param count    how many set out; at least 1
 /// @param threads  at least 1; the photons and their order don't depend on it

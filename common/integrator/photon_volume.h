@@ -24,7 +24,7 @@ struct BeamSettings {
 /// @param radius           R, m
 Real beamKernel(Real squaredDistance, Real radius);
 
-/// Photons that lie in media, in a tree: a whole ray gathers the light that they scatter to its begin, at once and
+/// Photons that lie in media, in a tree: a whole ray gathers the light that they scatter to its origin, at once and
 /// without steps. Never changes once it is made, so any number of threads may use it.
 /// Source: Jarosz, Zwicker, Jensen 2008, The Beam Radiance Estimate for Volumetric Photon Mapping, Computer Graphics
 /// Forum 27(2).
@@ -38,7 +38,7 @@ public:
     /// All of them, in the tree's order.
     std::span<const Photon> photons() const { return photons_; }
 
-    /// Radiance that the photons around a piece of a ray scatter to its begin, W/(m²·sr).
+    /// Radiance that the photons around a piece of a ray scatter to where it begins, W/(m²·sr).
     Color radiance(const MediumSpan& span, const BeamSettings& settings) const;
 
 private:

@@ -9,7 +9,7 @@
 namespace caustic {
 
 /// What is known of a pixel's mean after some batches of paths, each of the same number. Whole batches are entered: the
-/// paths of one may hang together (they share photons, or are spread evenly), those of different ones don't.
+/// paths of one may depend on each other (they share photons, or are spread evenly), those of different ones don't.
 struct PixelEstimate {
     std::int64_t batches = 0;       ///< so far
     Color mean = Color::Zero();     ///< of them

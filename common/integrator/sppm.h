@@ -13,7 +13,7 @@
 
 namespace caustic {
 
-/// How Sppm goes about it.
+/// Settings of Sppm.
 struct SppmSettings {
     PathLimits limits = {};              ///< segments from the eye and from the light to where they meet, together
     RadiusRule rule = RadiusRule::Pass;  ///< how the radius gets smaller
@@ -39,7 +39,8 @@ public:
     /// @throws InputError when a setting is out of its range
     Sppm(const Scene& scene, const Sampler& sampler, const PixelFilter& filter, const SppmSettings& settings);
 
-    /// @throws InputError when rule Point gets a pixel twice in a pass, which it would shrink twice for the same photons
+    /// @throws InputError when rule Point gets a pixel twice in a pass, which it would shrink twice for the same
+    /// photons
     Rendering runPass(const Pass& pass, int threads) override;
     void develop(Image& picture) const override;
     void save(ByteWriter& to) const override;
@@ -77,9 +78,9 @@ private:
 
     SppmSettings settings_;
     LightChoice lights_;
-    Real radius_;                       // of this pass, by rule Pass; what most pixels have by rule Point
-    std::optional<PhotonGrid> photons_; // of this pass; none when there is nothing to light, or nothing that does
-    std::vector<PixelState> pixels_;    // row by row; empty by rule Pass
+    Real radius_;                        // of this pass, by rule Pass; what most pixels have by rule Point
+    std::optional<PhotonGrid> photons_;  // of this pass; none when there is nothing to light, or nothing that does
+    std::vector<PixelState> pixels_;     // row by row; empty by rule Pass
 };
 
 }  // namespace caustic

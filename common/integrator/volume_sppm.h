@@ -18,7 +18,7 @@ enum class MediumDirect {
     Marching      ///< in equal steps: biased
 };
 
-/// How VolumeSppm goes about it.
+/// Settings of VolumeSppm.
 struct VolumeSppmSettings {
     PathLimits limits = {};  ///< segments from the eye and from the light to where they meet, together
     Real alpha = 2.0 / 3;    ///< of both radii, in (0, 1): see radiusOfPass

@@ -16,8 +16,7 @@ class EnvironmentMap final : public Light {
 public:
     /// @param radiance  at each pixel, W/(m²·sr)
     /// @param axes      how the panorama stands in the world: n points to the zenith, s to what the middle column
-    /// shows;
-    ///                  orthonormal, s × t = n
+    ///                  shows; orthonormal, s × t = n
     /// @throws InputError when a value is negative, not finite, or all are 0
     explicit EnvironmentMap(Image radiance, const Frame& axes = {});
 

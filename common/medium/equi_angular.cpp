@@ -17,10 +17,10 @@ PlaceOnRay sampleEquiAngular(const Ray& ray, Real tEnd, const Vec3& centre, Real
     const Real begin = way.dot(ray.direction) / squared;
     const Real reach = std::abs(begin) + std::min(tEnd, Real(1));
     const Real beside = std::max((way - begin * ray.direction).norm() / std::sqrt(squared), leastShare * reach);
-    // From the begin to the end, as a difference of arc tangents that loses no digits.
+    // From where the ray begins to its end, as a difference of arc tangents that loses no digits.
     const Real angle = std::isfinite(tEnd) ? std::atan2(beside * tEnd, beside * beside + begin * (begin + tEnd))
                                            : std::atan2(beside, begin);
-    // Lesson, eq. (11.7), as the way from the begin.
+    // Lesson, eq. (11.7), as the way from where the ray begins.
     const Real sine = std::sin(u * angle);
     const Real cosine = std::cos(u * angle);
     const Real t = (beside * beside + begin * begin) * sine / (beside * cosine - begin * sine);

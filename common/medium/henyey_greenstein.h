@@ -4,7 +4,7 @@
 
 namespace caustic {
 
-/// Light goes on rather forwards or rather backwards: p = (1 − g²) / (4π (1 + g² − 2g cosθ)^(3/2)), where θ is the
+/// Light goes on mostly forwards, or mostly backwards: p = (1 − g²) / (4π (1 + g² − 2g cosθ)^(3/2)), where θ is the
 /// angle by which light is turned; so cosθ = −wo·wi. The mean of cosθ is g. Fog has about 0.8, air none, dust in the
 /// way of the sun may have less than 0. Source: Henyey, Greenstein 1941, Diffuse Radiation in the Galaxy, Astrophysical
 /// Journal 93, eq. 2.

@@ -31,7 +31,7 @@ public:
     MeshRay(const MeshSpace& space, const Ray& ray);
 
     /// Whether the ray comes from so far away that its place in the tree isn't sure to a float's precision: from more
-    /// than 2²⁰ sizes of the mesh. Who asks has to look at all triangles then.
+    /// than 2²⁰ sizes of the mesh. The caller has to look at all triangles then.
     bool comesFromTooFar() const { return tooFar_; }
 
     /// Whether it misses the mesh's box.

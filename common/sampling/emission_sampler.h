@@ -12,10 +12,10 @@ enum class CellPlace {
                ///< coordinate alone is as evenly spread as if it had all the points for itself
 };
 
-/// Spreads the photons of a pass: of every columns × rows of them in a row, one has its pair in each cell of a grid,
-/// both of the place and of the direction of emission. Which photon gets which cell is shuffled for each of the two,
-/// and anew for each pass. All other numbers are plain random ones. Source: Cook 1986 (jittered); Chiu, Shirley, Wang
-/// 1994, Multi-jittered Sampling, Graphics Gems IV (offset).
+/// Spreads the photons of a pass: of columns × rows photons one after the other, each has its pair in a cell of its own
+/// of a grid, both for the place and for the direction of emission. Which photon gets which cell is shuffled for each
+/// of the two, and anew for each pass. All other numbers are plain random ones. Source: Cook 1986 (jittered); Chiu,
+/// Shirley, Wang 1994, Multi-jittered Sampling, Graphics Gems IV (offset).
 class EmissionSampler final : public Sampler {
 public:
     /// @param seed     of everything
@@ -29,7 +29,7 @@ public:
 
     /// The point of a cell.
     /// @param cell  row · columns + column
-    /// @param path  of whose round the offsets are, and whose the numbers within them
+    /// @param path  whose round decides the offsets, and whose numbers the place within them
     Vec2 pointOf(std::uint32_t cell, const PathName& path, Dimension dimension) const;
 
 private:

@@ -8,7 +8,7 @@
 namespace caustic {
 
 /// A shape with a normal map on it: its hits have the map's shading normal (mappedNormal), and all else is the shape's.
-/// Rays come from somewhere, so the shape knows the wo that no material is told.
+/// A shape is asked with a ray, so it knows wo, which a material isn't told when it builds a BSDF.
 class NormalMappedShape final : public Shape {
 public:
     /// Keeps both alive.

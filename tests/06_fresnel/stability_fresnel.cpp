@@ -131,7 +131,7 @@ TEST(RoughDielectricMaterial, IndexOneIsNotThere) {
         EXPECT_LE((lobes.lobe[0].wi + wo).norm(), 1e-12);
         EXPECT_EQ(lobes.lobe[0].f.x(), 1);
     }
-    EXPECT_TRUE(anyOf(rough.lobes(), LobeFlags::Delta)) << "who looks for delta lobes must find these";
+    EXPECT_TRUE(anyOf(rough.lobes(), LobeFlags::Delta)) << "whoever looks for delta lobes must find these";
 }
 
 TEST(ConductorMaterial, MetalUnderWaterReflectsLess) {

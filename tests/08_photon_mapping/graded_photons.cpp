@@ -198,7 +198,7 @@ TEST(Split, SurfacesThatSpreadLightSendItOnOnce) {
 }
 
 // Parts go different ways from where they arrive: each has numbers of its own. On the inside of a sphere a chord leaves
-// and arrives at the same angle, so angles tell who has chosen the same direction.
+// and arrives at the same angle, so angles tell which photons have chosen the same direction.
 TEST(Split, PartsHaveNumbersOfTheirOwn) {
     SceneObject glass = {std::make_shared<Plane>(Vec3(0, 0, 0), Vec3::UnitY()),
                          std::make_shared<RefractionMaterial>(Color::Constant(0.5), Color::Constant(0.5)),
@@ -253,7 +253,7 @@ TEST(TracePhotons, GivesTheSameForAnyThreads) {
     }
 }
 
-// Who wants more photons goes on where the last ones ended: 1000 and the next 1500 are the 2500, but for their share.
+// Further photons go on where the last ones ended: 1000 and the next 1500 are the 2500, but for their share.
 TEST(TracePhotons, GoesOnWithTheNextPhoton) {
     const Scene scene(Room{}.description());
     const LightChoice lights(scene.lights());

@@ -130,7 +130,8 @@ TEST(AdaptiveLoop, TakesThoseThatWantItMost) {
         << "3 of 60 pixels.";
     Case whole(some, {.batch = 2, .first = 2, .share = 1, .spread = 0});
     whole.start(2);
-    EXPECT_EQ(countsOf(whole.adaptive.next()).size(), some.size()) << "Who wants 0 gets none, even if there is room.";
+    EXPECT_EQ(countsOf(whole.adaptive.next()).size(), some.size())
+        << "A pixel that wants 0 gets none, even if there is room.";
     Case none({}, {.batch = 2, .first = 2, .share = 1});
     none.start(2);
     EXPECT_TRUE(none.adaptive.next().empty()) << "Nobody wants any: the end.";

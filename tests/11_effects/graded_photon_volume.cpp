@@ -75,7 +75,7 @@ void expectSum(Real scale, const Color& sigmaT, std::shared_ptr<const PhaseFunct
 
 const std::shared_ptr<const PhaseFunction> even = std::make_shared<HenyeyGreenstein>(0);
 
-// Coloured extinction on the way from the photon to the begin of the piece, and the kernel's share of each photon
+// Coloured extinction on the way from the photon to where the piece begins, and the kernel's share of each photon
 // beside this piece; at scales of a millimetre and a kilometre.
 TEST(PhotonVolume, DimsFromThePhotonToTheEye) {
     for (const Real scale : {1e-3, 1.0, 1e3})
