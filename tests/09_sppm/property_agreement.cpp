@@ -32,20 +32,6 @@ std::unique_ptr<Integrator> unbiased(const Scene& scene, const Sampler& sampler,
         return settings;
     });
 }
-        for (const PathId& path : pass.paths) {
-            const auto of = [&](const Rendering& part) { return part.film.value(path.pixel); };
-            sum.film.add(path.pixel, path.index, of(wide) / 3 - 2 * of(half) + of(quarter) * (8.0 / 3));
-        }
-        return sum;
-    }
-
-    Color Li(const Ray& ray, const MediumStack& media, const PathNumbers& numbers, RayCounts& counts) const override {
-        return parts_[2].Li(ray, media, numbers, counts);
-    }
-
-private:
-    std::vector<Sppm> parts_;
-};
 
 // A diffuse box, the peers' box, a glossy floor, and a ball of red glass in a box.
 std::vector<test::AgreementScene> scenes() {
