@@ -1,4 +1,5 @@
 #include <string>
+#include <vector>
 
 #include "chapter_inputs.h"
 #include "figure/chapter.h"
@@ -16,6 +17,12 @@ int main(int argc, char** argv) {
     std::string methods = "photons";
     const RangedValue<double> time = {&wishes.seconds, 0, 1e6};
     const std::vector<std::string> references = {"peers_box", "point_box"};
+    std::vector<ChapterOption> options = renderOptions(wishes);
+    options.insert(options.begin(),
+                   {{"--passes", "N", "Passes in all; 0 for as many as there is time for",
+                     RangedValue<std::int64_t>{&wishes.passes, 0, 1'000'000'000}},
+                    {"--time", "SECONDS", "Computing time in all; 0 for as long as the passes take", time},
+                    {"--rule", "RULE", "How the radius gets smaller", ChoiceValue{&wishes.rule, {"pass", "point"}}}});
     ChapterRuns runs;
     const auto shared = [&runs](void (*draw)(ChapterRuns&, FigureContext&)) {
         return [&runs, draw](FigureContext& context) { draw(runs, context); };
@@ -38,31 +45,20 @@ int main(int argc, char** argv) {
         },
         {
             {.argument = {"--render", "SCENE", "Render a scene pass by pass", ChoiceValue{&scene, sceneNames()}},
-             .run = [&](const ChapterOptions& options) { renderScene(scene, wishes, thisChapter, options); },
+             .run = [&](const ChapterOptions& given) { renderScene(scene, wishes, thisChapter, given); },
              .uses = {"--out", "--threads", "--seed", "--preview"},
-             .options = {{"--passes", "N", "Passes in all; 0 for as many as there is time for",
-                          RangedValue<std::int64_t>{&wishes.passes, 0, 1'000'000'000}},
-                         {"--time", "SECONDS", "Computing time in all; 0 for as long as the passes take", time},
-                         {"--rule", "RULE", "How the radius gets smaller", ChoiceValue{&wishes.rule, {"pass", "point"}}},
-                         {"--alpha", "ALPHA", "Of the rule, between 0 and 1", RangedValue<double>{&wishes.alpha, 0, 1}},
-                         {"--radius", "METRES", "Of the first pass; 0 for the scene's own",
-                          RangedValue<double>{&wishes.radius, 0, 1e6}},
-                         {"--photons", "N", "Photons a pass", RangedValue<std::int64_t>{&wishes.photons, 1, 1 << 30}},
-                         {"--checkpoint", "FILE", "Go on from this file when it is there, and write it",
-                          TextValue{&wishes.checkpoint}},
-                         {"--every", "N", "Passes between two checkpoints",
-                          RangedValue<std::int64_t>{&wishes.every, 1, 1'000'000'000}}}},
-            {.argument = {"--errors", "SCENE", "Render by each method for --time SECONDS of one thread, and write errors",
+             .options = options},
+            {.argument = {"--errors", "SCENE",
+                          "Render by each method for --time SECONDS of one thread, and write errors",
                           ChoiceValue{&scene, {"peers_box", "point_box", "mirror_caustic"}}},
-             .run = [&](const ChapterOptions& options) {
-                 timeMethods(scene, wishes.seconds, methods, thisChapter, options);
-             },
+             .run =
+                 [&](const ChapterOptions& given) { timeMethods(scene, wishes.seconds, methods, thisChapter, given); },
              .uses = {"--out", "--seed"},
              .options = {{"--time", "SECONDS", "Computing time in all; 0 for as long as the passes take", time},
                          {"--methods", "WHICH", "Those that trace photons, or all",
                           ChoiceValue{&methods, {"photons", "all"}}}}},
             {.argument = {"--reference", "PICTURE", "Make a converged picture anew", ChoiceValue{&scene, references}},
-             .run = [&](const ChapterOptions& options) { makeReference(scene, minutes, thisChapter, options); },
+             .run = [&](const ChapterOptions& given) { makeReference(scene, minutes, thisChapter, given); },
              .uses = {"--threads"},
              .options = {{"--minutes", "MINUTES", "On the wall", RangedValue<double>{&minutes, 1e-3, 1e5}}}},
         });

@@ -2,37 +2,17 @@
 
 #include <chrono>
 #include <cstdio>
-#include <limits>
 #include <optional>
 #include <thread>
 
-#include "camera/box_filter.h"
 #include "core/check.h"
 #include "core/process.h"
 #include "core/progress.h"
-#include "image/image_file.h"
-#include "image/tone_mapping.h"
-#include "integrator/checkpoint.h"
-#include "integrator/lamp_edges.h"
 #include "integrator/render.h"
-#include "sampling/sobol_sampler.h"
-#include "scenes.h"
 
 namespace caustic {
 
 namespace {
-
-SppmSettings settingsOf(const NamedScene& named, const RenderWishes& wishes) {
-    checkArgument(wishes.rule == "pass" || wishes.rule == "point", "--rule", wishes.rule, "must be pass or point");
-    checkArgument(wishes.photons >= 1 && wishes.photons <= std::numeric_limits<int>::max(), "--photons",
-                  std::to_string(wishes.photons), "must be a number of photons");
-    SppmSettings settings = named.settings;
-    settings.rule = wishes.rule == "pass" ? RadiusRule::Pass : RadiusRule::Point;
-    settings.alpha = wishes.alpha;
-    if (wishes.radius != 0) settings.radius = wishes.radius;
-    settings.photons = static_cast<int>(wishes.photons);
-    return settings;
-}
 
 // When a rendering ends.
 RenderSettings limitsOf(const RenderWishes& wishes) {
@@ -41,14 +21,6 @@ RenderSettings limitsOf(const RenderWishes& wishes) {
     if (wishes.passes != 0) limits.passes = wishes.passes;
     if (wishes.seconds != 0) limits.seconds = wishes.seconds;
     return limits;
-}
-
-// Everything that makes a picture another one.
-std::string pictureName(const NamedScene& named, const SppmSettings& settings, std::uint64_t seed) {
-    return named.name + ", seed " + std::to_string(seed) + ", rule " +
-           (settings.rule == RadiusRule::Pass ? "pass" : "point") + ", alpha " + formatReal(settings.alpha) +
-           ", radius " + formatReal(settings.radius) + ", photons " + std::to_string(settings.photons) + ", segments " +
-           std::to_string(settings.limits.maxLength);
 }
 
 // Shows the growing picture in a window: the viewer looks at the file again and again. Ends with the window.
@@ -77,52 +49,32 @@ private:
 
 void renderScene(const std::string& name, const RenderWishes& wishes, const ChapterInputs& chapter,
                  const ChapterOptions& options) {
-    const NamedScene& named = namedScene(name);
     RenderSettings settings = limitsOf(wishes);
-    checkArgument(wishes.every >= 1, "--every", std::to_string(wishes.every), "must be at least 1");
-    const Scene scene(named.make(named.width, named.height, (chapter.sourceDir / glassProfile).string()));
-    const SobolSampler sampler(options.seed);
-    const BoxFilter filter;
-    Sppm sppm(scene, sampler, filter, settingsOf(named, wishes));
-    const std::string picture = pictureName(named, sppm.settings(), options.seed);
-    const std::filesystem::path file = options.out / chapter.name / ("render_" + name + ".png");
-
-    Rendering rendering = {Film(named.width, named.height), {}};
-    if (!wishes.checkpoint.empty() && std::filesystem::exists(wishes.checkpoint))
-        rendering = loadCheckpoint(wishes.checkpoint, picture, sppm);
-    const auto savePicture = [&](const Rendering& soFar) {
-        saveImage(file, toneMapped(developed(sppm, soFar), named.exposure, 4));
-    };
+    SceneRendering scene(name, wishes, chapter, options);
+    Rendering rendering = scene.begun();
     std::optional<LivePreview> preview;
-    if (options.preview) preview.emplace(file);
+    if (options.preview) preview.emplace(scene.file());
     auto shown = std::chrono::steady_clock::now();
     const auto look = [&](const Rendering& soFar) {
-        if (!wishes.checkpoint.empty() && soFar.passes % wishes.every == 0)
-            saveCheckpoint(wishes.checkpoint, picture, soFar, sppm);
+        if (soFar.passes % wishes.every == 0) scene.saveState(soFar);
         const auto now = std::chrono::steady_clock::now();
         if (preview && (soFar.passes == 1 || now - shown > std::chrono::seconds(1))) {
             shown = now;
-            savePicture(soFar);
+            scene.savePicture(soFar);
             preview->start();
         }
         return true;
     };
-    Progress progress(name);
-    progress.expect(progressSteps);
-    settings.threads = options.threads;
-    settings.look = look;
-    // By rule Point a pixel has one path a pass.
-    if (sppm.settings().rule == RadiusRule::Pass)
-        settings.choose = withMorePaths(
-            scene.camera(), lampEdges(scene, sampler, named.settings.limits, options.threads), pathsAtLampEdges);
-    settings.progress = &progress;
-    resume(sppm, settings, rendering);
-    requireFinite(rendering);
-    if (!wishes.checkpoint.empty()) saveCheckpoint(wishes.checkpoint, picture, rendering, sppm);
-    savePicture(rendering);
-    if (!sppm.whyNoPhotons().empty()) std::fprintf(stderr, "warning: %s\n", sppm.whyNoPhotons().c_str());
-    std::printf("%s: %lld passes, %.2f s\n", file.string().c_str(), static_cast<long long>(rendering.passes),
-                rendering.seconds);
+    {
+        Progress progress(name);
+        progress.expect(progressSteps);
+        settings.threads = options.threads;
+        settings.look = look;
+        settings.choose = [&scene](const Rendering& soFar) { return scene.pathsOf(soFar.passes); };
+        settings.progress = &progress;
+        resume(scene.sppm(), settings, rendering);
+    }
+    scene.finish(rendering);
 }
 
 }  // namespace caustic

@@ -65,6 +65,15 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(first, text.find_last_not_of(space) - first + 1);
 }
 
+std::string joined(const std::vector<std::string>& words, std::string_view between) {
+    std::string text;
+    for (const std::string& word : words) {
+        if (!text.empty()) text += between;
+        text += word;
+    }
+    return text;
+}
+
 std::string readTextFile(const std::filesystem::path& path, std::size_t mostBytes) {
     std::error_code failure;
     const auto status = std::filesystem::status(path, failure);

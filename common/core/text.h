@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace caustic {
 
@@ -19,6 +20,9 @@ std::optional<long long> parseInteger(std::string_view text);
 
 /// Without white space at either end.
 std::string_view trimmed(std::string_view text);
+
+/// Words, one behind the other with something between them.
+std::string joined(const std::vector<std::string>& words, std::string_view between);
 
 /// Reads a text file.
 /// @param mostBytes  a larger file is refused before it is read

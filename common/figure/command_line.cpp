@@ -1,7 +1,6 @@
 #include "figure/command_line.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <thread>
 
@@ -9,62 +8,13 @@
 
 #include "core/error.h"
 #include "core/text.h"
+#include "figure/add_option.h"
 
 namespace caustic {
 
 namespace {
 
 constexpr std::int64_t mostThreads = 1024;
-
-std::string joined(const std::vector<std::string>& words, const std::string& between) {
-    std::string text;
-    for (const std::string& word : words) text += (text.empty() ? "" : between) + word;
-    return text;
-}
-
-std::string numberText(double value) { return formatReal(value); }
-std::string numberText(std::int64_t value) { return std::to_string(value); }
-
-std::optional<double> numberIn(const std::string& text, double) {
-    const auto number = parseReal(text);
-    return number && std::isfinite(*number) ? number : std::nullopt;
-}
-std::optional<long long> numberIn(const std::string& text, std::int64_t) { return parseInteger(text); }
-
-// What is wrong with a value, or nothing. CLI11's own checks take "nan" for a number in any range.
-template <typename Number>
-std::string complaint(const RangedValue<Number>& range, const std::string& text) {
-    const auto number = numberIn(text, Number());
-    if (number && *number >= range.least && *number <= range.most) return "";
-    const std::string kind = std::is_integral_v<Number> ? "a whole number" : "a number";
-    return "must be " + kind + " from " + numberText(range.least) + " to " + numberText(range.most) + " (got '" + text +
-           "')";
-}
-
-std::string complaint(const ChoiceValue& choice, const std::string& text) {
-    if (std::ranges::count(choice.choices, text) > 0) return "";
-    return "must be one of " + joined(choice.choices, ", ") + " (got '" + text + "')";
-}
-
-std::string complaint(const TextValue&, const std::string&) { return ""; }
-
-template <typename Number>
-std::string rangeText(const RangedValue<Number>& range) {
-    return " in [" + numberText(range.least) + ", " + numberText(range.most) + "]";
-}
-std::string rangeText(const ChoiceValue& choice) { return " {" + joined(choice.choices, ", ") + "}"; }
-std::string rangeText(const TextValue&) { return ""; }
-
-CLI::Option* add(CLI::App& app, const ChapterOption& option) {
-    return std::visit(
-        [&](const auto& value) {
-            const auto check = [value](const std::string& text) { return complaint(value, text); };
-            return app.add_option(option.name, *value.value, option.help)
-                ->type_name(option.type + rangeText(value))
-                ->check(check, "", "");
-        },
-        option.value);
-}
 
 // The options that every chapter has, and which of them are used by commands.
 class Registered {
@@ -73,10 +23,10 @@ public:
         : app_(app), commands_(commands) {
         addCommon(line);
         for (const ChapterCommand& command : commands) {
-            add(app, command.argument)->group("Instead of figures");
+            addOption(app, command.argument)->group("Instead of figures");
             for (const ChapterOption& option : command.options) {
                 if (app.get_option_no_throw(option.name) == nullptr)
-                    add(app, option)->capture_default_str()->group("With " + joined(ownersOf(option.name), ", "));
+                    addOption(app, option)->capture_default_str()->group("With " + joined(ownersOf(option.name), ", "));
             }
         }
     }
@@ -131,17 +81,17 @@ private:
         };
         app_.add_option_function<std::string>("--quality", setQuality, "How much work to do")
             ->check([choice](const std::string& text) { return complaint(choice, text); }, "", "")
-            ->type_name("Q" + rangeText(choice))
+            ->type_name("Q" + domainText(choice))
             ->default_str("draft");
         const RangedValue<std::int64_t> threads = {nullptr, 1, mostThreads};
         app_.add_option("--threads", options.threads, "Threads; pictures don't depend on it")
             ->check([threads](const std::string& text) { return complaint(threads, text); }, "", "")
-            ->type_name("N" + rangeText(threads))
+            ->type_name("N" + domainText(threads))
             ->capture_default_str();
         const RangedValue<std::int64_t> seeds = {nullptr, 0, std::numeric_limits<std::int64_t>::max()};
         app_.add_option("--seed", options.seed, "Seed of all random numbers")
             ->check([seeds](const std::string& text) { return complaint(seeds, text); }, "", "")
-            ->type_name("S" + rangeText(seeds))
+            ->type_name("S" + domainText(seeds))
             ->capture_default_str();
         app_.add_option("--only", line.only, "Draw this figure only; may be given again")
             ->type_name("FIGURE")

@@ -35,52 +35,64 @@ bool seesAnEdge(const Scene& scene, const Sampler& sampler, const PathLimits& li
 }  // namespace
 
 std::vector<Pixel> lampEdges(const Scene& scene, const Sampler& sampler, const PathLimits& limits, int threads) {
+    return withNeighbours(scene.camera(), edgesOfRows(scene, sampler, limits, 0, 1, threads));
+}
+
+std::vector<std::uint8_t> edgesOfRows(const Scene& scene, const Sampler& sampler, const PathLimits& limits, int first,
+                                      int step, int threads) {
     const int width = scene.camera().width();
     const int height = scene.camera().height();
-    std::vector<std::vector<int>> found(static_cast<std::size_t>(height));  // columns by row
-    parallelFor(height, threads, [&](std::int64_t y) {
+    std::vector<std::uint8_t> edges(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0);
+    const int rows = first < height ? (height - first + step - 1) / step : 0;
+    parallelFor(rows, threads, [&](std::int64_t item) {
+        const int y = first + static_cast<int>(item) * step;
+        const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
         for (int x = 0; x < width; ++x) {
-            if (seesAnEdge(scene, sampler, limits, {x, static_cast<int>(y)}))
-                found[static_cast<std::size_t>(y)].push_back(x);
+            if (seesAnEdge(scene, sampler, limits, {x, y})) edges[row + static_cast<std::size_t>(x)] = 1;
         }
     });
-    std::vector<bool> edge(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), false);
-    const auto at = [width](int x, int y) {
-        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+    return edges;
+}
+
+std::vector<Pixel> withNeighbours(const Camera& camera, const std::vector<std::uint8_t>& edges) {
+    const auto isEdge = [&](int x, int y) {
+        return edges[static_cast<std::size_t>(y) * static_cast<std::size_t>(camera.width()) +
+                     static_cast<std::size_t>(x)] != 0;
     };
-    for (int y = 0; y < height; ++y) {
-        for (const int x : found[static_cast<std::size_t>(y)]) {
-            for (int j = std::max(0, y - 1); j <= std::min(height - 1, y + 1); ++j) {
-                for (int i = std::max(0, x - 1); i <= std::min(width - 1, x + 1); ++i) edge[at(i, j)] = true;
+    const auto isNearOne = [&](int x, int y) {
+        for (int j = std::max(0, y - 1); j <= std::min(camera.height() - 1, y + 1); ++j) {
+            for (int i = std::max(0, x - 1); i <= std::min(camera.width() - 1, x + 1); ++i) {
+                if (isEdge(i, j)) return true;
             }
         }
-    }
+        return false;
+    };
     std::vector<Pixel> pixels;
-    for (int y = 0; y < height; ++y) {
-        for (int x = 0; x < width; ++x) {
-            if (edge[at(x, y)]) pixels.push_back({x, y});
+    for (int y = 0; y < camera.height(); ++y) {
+        for (int x = 0; x < camera.width(); ++x) {
+            if (isNearOne(x, y)) pixels.push_back({x, y});
         }
     }
     return pixels;
 }
 
+std::vector<PathId> pathsOfPass(const Camera& camera, const std::vector<Pixel>& several, int paths, std::int64_t pass) {
+    checkArgument(paths >= 1, "paths of a pixel in a pass", std::to_string(paths), "must be at least 1");
+    std::vector<PathId> chosen = pathsOfAllPixels(camera, pass);
+    const auto width = static_cast<std::size_t>(camera.width());
+    for (const Pixel& pixel : several) {
+        const std::int64_t first = pass * paths;
+        chosen[static_cast<std::size_t>(pixel.y) * width + static_cast<std::size_t>(pixel.x)].index = first;
+        for (int i = 1; i < paths; ++i) chosen.push_back({pixel, first + i});
+    }
+    return chosen;
+}
+
 std::function<std::vector<PathId>(const Rendering& soFar)> withMorePaths(const Camera& camera,
                                                                          const std::vector<Pixel>& several, int paths) {
     checkArgument(paths >= 1, "paths of a pixel in a pass", std::to_string(paths), "must be at least 1");
-    // Those of the first pass; a pixel's paths are numbered on from pass to pass.
-    std::vector<PathId> all = pathsOfAllPixels(camera, 0);
-    return [all, several, paths, width = camera.width()](const Rendering& soFar) {
-        std::vector<PathId> chosen = all;
-        for (PathId& path : chosen) path.index = soFar.passes;
-        for (const Pixel& pixel : several) {
-            const std::int64_t first = soFar.passes * paths;
-            chosen[static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(width) +
-                   static_cast<std::size_t>(pixel.x)]
-                .index = first;
-            for (int i = 1; i < paths; ++i) chosen.push_back({pixel, first + i});
-        }
-        return chosen;
-    };
+    return
+        [&camera, several, paths](const Rendering& soFar) { return pathsOfPass(camera, several, paths, soFar.passes); };
 }
 
 }  // namespace caustic

@@ -1,7 +1,6 @@
 #include "integrator/render.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -22,12 +21,6 @@ void check(const RenderSettings& settings) {
     checkArgument(
         settings.passes < unlimited.passes || settings.seconds < unlimited.seconds || settings.look || settings.choose,
         "rendering", "", "needs a limit: passes, seconds, or something that says when to stop");
-}
-
-// Computing time as RenderSettings::seconds says.
-double secondsOn(int threads) {
-    if (threads == 1) return threadSeconds();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
 // Tells a Progress how much of a rendering is done.
@@ -72,9 +65,9 @@ void resume(Integrator& integrator, const RenderSettings& settings, Rendering& r
            (rendering.passes == 0 || rendering.seconds + longest <= settings.seconds)) {
         if (settings.choose) paths = settings.choose(rendering);
         if (paths.empty()) break;
-        const double start = secondsOn(settings.threads);
+        const double start = computingSeconds(settings.threads);
         Rendering pass = integrator.runPass({rendering.passes, paths}, settings.threads);
-        pass.seconds = secondsOn(settings.threads) - start;
+        pass.seconds = computingSeconds(settings.threads) - start;
         longest = std::max(longest, pass.seconds);
         rendering.merge(pass);
         if (!settings.choose) {

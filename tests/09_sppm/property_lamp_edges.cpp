@@ -68,6 +68,25 @@ TEST(LampEdges, AreTheSameForAnyNumberOfThreads) {
     EXPECT_EQ(lampEdges(scene, sampler, settings.limits, 1), lampEdges(scene, sampler, settings.limits, 2));
 }
 
+// Three who share the search find what one finds; who begins below the picture finds nothing.
+TEST(LampEdges, AreTheSameWhoeverLooksAtWhichRow) {
+    const Scene scene = box();
+    const SobolSampler sampler(3);
+    constexpr int shares = 3;
+    std::vector<std::uint8_t> all(static_cast<std::size_t>(width * width), 0);
+    for (int share = 0; share < shares; ++share) {
+        const auto own = edgesOfRows(scene, sampler, settings.limits, share, shares, 1);
+        ASSERT_EQ(own.size(), all.size());
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            EXPECT_FALSE(own[i] != 0 && static_cast<int>(i) / width % shares != share) << "a row of another share";
+            all[i] |= own[i];
+        }
+    }
+    EXPECT_EQ(withNeighbours(scene.camera(), all), lampEdges(scene, sampler, settings.limits, 1));
+    const auto none = edgesOfRows(scene, sampler, settings.limits, width, shares, 1);
+    EXPECT_EQ(none, std::vector<std::uint8_t>(all.size(), 0));
+}
+
 // Each pixel's paths are numbered without a gap, and no path comes twice.
 TEST(WithMorePaths, NumbersThePathsOfAPixelOn) {
     const Scene scene = box();

@@ -1,8 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
@@ -12,6 +10,7 @@
 #include "support/measured_process.h"
 #include "support/paths.h"
 #include "support/temporary_folder.h"
+#include "thumbnail.h"
 
 namespace caustic {
 namespace {
@@ -24,12 +23,9 @@ std::vector<std::string> render(const std::filesystem::path& out, std::vector<st
     return command;
 }
 
-std::string bytesOf(const std::filesystem::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
+using test::bytesOf;
 
-const char* const picture = "09_sppm/render_thumbnail.png";
+const char* const picture = test::thumbnailPicture;
 
 // Killed at a random time, again and again, and started anew each time: the bytes of one that never was.
 TEST(RenderCommand, GoesOnAfterAKill) {

@@ -8,7 +8,6 @@ import re
 from pathlib import Path
 
 from course_lib import green
-from course_lib.chapters import all_chapters
 from course_lib.paths import ROOT, declarations, program
 from exercises.trees import files_to_build, source_files
 
@@ -39,11 +38,13 @@ def files_of(check):
 
 
 def programs_of(check, preset):
-    """The chapter's executable, which its tests run; the gates build one of their own."""
+    """The chapter's executables, which its tests run; the gates build one of their own."""
     matched = OF_ONE_CHAPTER.match(check) or CPP_CHECK.match(check)
     if not matched or matched[1] == "gates":
         return []
-    return [program(chapter, preset) for chapter in all_chapters() if chapter[:2] == matched[matched.lastindex]]
+    number = matched[matched.lastindex]
+    programs = declarations(preset)["programs"]
+    return [program(name, preset) for chapter in sorted(programs) if chapter[:2] == number for name in programs[chapter]]
 
 
 def known_files(chapter, root=ROOT):
