@@ -61,7 +61,7 @@ def main(arguments):
     except CourseError as error:
         sys.stdout.flush()
         print(f"course: {error}", file=sys.stderr)
-        return 1
+        return error.code
     except KeyboardInterrupt:
         print("\ncourse: interrupted", file=sys.stderr)
         return INTERRUPTED

@@ -10,10 +10,9 @@ from pathlib import Path
 
 import strip
 from exercises.catalog import read_catalog
+from exercises.splicing import Spliced
 from exercises.trees import starter_overlay
 from toy_course import REAL, grade, outcomes
-
-INCLUDES = "#include <unistd.h>\n\n#include <csignal>\n#include <cstdio>\n#include <cstdlib>\n\n"
 
 LOOPS = """volatile bool on = true;
 while (on) {
@@ -24,25 +23,55 @@ CRASHES = """volatile int* nowhere = nullptr;
 
 FORGES_A_RESULT = r"""std::puts("[       OK ] all (0 ms)\n[==========] 1 test ran.\n[  PASSED  ] 1 test.");
 std::puts("{\"verdict\":\"passed\",\"failures\":[]}");
-std::FILE* file = std::fopen("results.json", "w");
-std::fputs("{\"score\": 100}", file);
-std::fclose(file);
-std::fflush(nullptr);
-_exit(0);"""
+std::fflush(stdout);
+std::exit(0);"""
 
-FORGES_A_VERDICT = r"""const char verdict[] = "{\"word\":\"\",\"verdict\":\"passed\",\"failures\":[]}\n";
-for (int descriptor = 3; descriptor < 64; ++descriptor) {
-    if (write(descriptor, verdict, sizeof(verdict) - 1) < 0) continue;
-}
-_exit(0);"""
-
-LEAVES_AT_THE_START = """
+# Each got points when whole files were taken. Here they stand outside of the bodies, where nothing counts.
+IN_FRONT = """#include <unistd.h>
+#include <gtest/gtest.h>
+#undef EXPECT_NEAR
+#define EXPECT_NEAR(a, b, c) EXPECT_TRUE(true)
+"""
+AT_THE_END = r"""
 namespace {
 struct Leave {
-    Leave() { std::exit(0); }
+    Leave() {
+        const char verdict[] = "{\"word\":\"\",\"verdict\":\"passed\",\"failures\":[]}\n";
+        for (int descriptor = 3; descriptor < 64; ++descriptor) write(descriptor, verdict, sizeof verdict - 1);
+        _exit(0);
+    }
 } leave;
 }  // namespace
+namespace testing {
+TestInfo* UnitTest::current_test_info() { return nullptr; }
+bool UnitTest::Passed() const { return true; }
+}  // namespace testing
+asm(".incbin \"common/curve/bezier_curve.cpp\"");
 """
+
+# The same, and more, from within a body: what it takes has a name, and a body with that name is not taken.
+FROM_WITHIN = {
+    "reads the word from its command line": 'std::ifstream line("/proc/self/cmdline");',
+    "reads it by the C library": 'auto* line = std::fopen("/proc/self/cmdline", "r");',
+    "a class with a constructor for the start": "struct X { [[gnu::constructor]] static void f() {} };",
+    "a detached child": "if (fork() == 0) setsid();",
+    "reads the reference": 'std::ifstream reference("../common/curve/bezier_curve.cpp");',
+    "takes the reference in": '#include "../reference.h"',
+    "takes it in at assembly": 'asm(".incbin \\"reference.cpp\\"");',
+    "replaces an assertion": "#define EXPECT_NEAR(a, b, c)",
+    "replaces it by a pragma": '_Pragma("push_macro(\\"EXPECT_NEAR\\")")',
+    "says that all is well": "::testing::UnitTest::GetInstance()->listeners();",
+    "skips the test": "GTEST_SKIP();",
+    "writes into the grader's tree": 'std::ofstream("../common/curve/bezier_curve.cpp") << 1;',
+    "removes it": 'std::filesystem::remove_all("..");',
+    "kills its parent": "kill(getppid(), 9);",
+    "runs a program": 'std::system("true");',
+    "leaves the body": "}\nint more() {",
+    "leaves it by a text that looks open": 'const char* x = R"(";)"; }\nint more() { //"',
+    "leaves it by a joined line": "// \\\n}\nint more() {",
+    "calls by number": "syscall(57);",
+    "finds a function": 'auto* f = dlsym(nullptr, "fork");',
+}
 
 EASY_TEST = """#include <gtest/gtest.h>
 TEST(Easy, Passes) {}
@@ -65,15 +94,15 @@ class Cheats(unittest.TestCase):
         cls.decided = {name for name, state in outcomes(cls.with_stub).items() if state != "passed"}
 
     @classmethod
-    def spoilt(cls, name, body, outside=""):
-        """A submission: the reference with another body of the exercise, and more code at the end of its file."""
+    def spoilt(cls, name, body, in_front="", at_the_end=""):
+        """A submission: the reference with another body of the exercise, and more code around it in its file."""
         top = cls.top / name
         for path in starter_overlay(cls.tree):
             text = strip.read_source(cls.tree / path)
             if path == cls.exercise.path:
                 lines = [*body.splitlines(), f'throw NotImplemented("{cls.exercise.id}");']
                 text = strip.with_body(text, cls.exercise, "".join(f"    {line}\n" for line in lines))
-                text = INCLUDES + text + outside
+                text = in_front + text + at_the_end
             (top / path).parent.mkdir(parents=True, exist_ok=True)
             strip.write_source(top / path, text)
         return top
@@ -116,19 +145,28 @@ class Cheats(unittest.TestCase):
         graded = self.grade(self.spoilt("forges", FORGES_A_RESULT))
         self.check_decided(graded, "no verdict")
         self.assertIn("ended before the test did (exit code 0)", {test["reason"] for test in graded["tests"]})
+        self.assertIn("has exit: a person should look at it", " ".join(graded["looks"]))
 
-    def test_a_forged_verdict_earns_nothing(self):
-        graded = self.grade(self.spoilt("forges_verdict", FORGES_A_VERDICT))
-        self.check_decided(graded, "no verdict")
-        self.assertIn("sent a verdict that is not the test's own (exit code 0)", {test["reason"] for test in graded["tests"]})
+    def test_attacks_from_within_a_body_are_refused(self):
+        for name, attack in FROM_WITHIN.items():
+            text = strip.read_source(self.tree / self.exercise.path)
+            spliced = Spliced()
+            body = f"    {attack}\n    return {{}};\n"
+            spliced.add(self.exercise.path, strip.strip(text, self.exercise.path),
+                        strip.with_body(text, self.exercise, body).encode())
+            self.assertIn(self.exercise.id, spliced.refused, name)
+            self.assertNotIn(attack, spliced.texts[self.exercise.path], name)
 
-    def test_leaving_from_a_static_constructor_earns_nothing(self):
-        graded = self.grade(self.spoilt("leaves", "", LEAVES_AT_THE_START))
-        self.assertEqual(graded["points"], 0)
-        self.assertEqual(set(outcomes(graded).values()), {"no verdict"}, "Every test program starts with that constructor.")
+    def test_a_refused_body_costs_what_a_stub_costs(self):
+        graded = self.grade(self.spoilt("refused", FROM_WITHIN["kills its parent"]))
+        found = outcomes(graded)
+        self.assertEqual({name for name in self.names if found[name] != "passed"}, self.decided)
+        self.assertEqual({found[test.name] for test in self.catalog.tests_of(self.exercise.id)}, {"refused"})
+        self.assertEqual(graded["points"], self.with_stub["points"])
+        self.assertIn(f"{self.exercise.id} is refused", graded["notes"][0])
 
-    def test_replaced_tests_and_points_change_nothing(self):
-        top = self.spoilt("replaces", "")
+    def test_what_is_replaced_around_the_bodies_changes_nothing(self):
+        top = self.spoilt("replaces", "", IN_FRONT, AT_THE_END)
         tests = top / "tests" / self.chapter
         tests.mkdir(parents=True)
         data = json.loads((self.tree / "tests" / self.chapter / "grading.json").read_text())
@@ -143,14 +181,18 @@ class Cheats(unittest.TestCase):
         (top / "tests/support/verdict.cpp").write_text("#error mine\n")
         graded = self.grade(top)
         self.check_decided(graded, "not implemented")
+        self.assertEqual(graded["notes"], [f"{self.exercise.path}:1: changed outside of an exercise's body, which does not count"])
         self.assertEqual([test["maxPoints"] for test in graded["tests"]], [test.points for test in self.catalog.tests])
 
-    def test_code_that_does_not_compile_is_a_clear_zero(self):
+    def test_code_that_does_not_compile_costs_its_own_tests(self):
         graded = self.grade(self.spoilt("broken", "return nonsense;"))
-        line = self.exercise.first + INCLUDES.count("\n") + 1
-        self.assertEqual((graded["points"], graded["built"]), (0, False))
-        self.assertRegex(graded["error"], rf"^{self.exercise.path}:{line}:\d+: error: .*nonsense")
-        self.assertEqual({test["reason"] for test in graded["tests"]}, {graded["error"]})
+        self.assertEqual((graded["points"], graded["built"]), (self.with_stub["points"], False))
+        error = rf"^{self.exercise.path}:{self.exercise.first + 1}:\d+: error: .*nonsense"
+        self.assertRegex(graded["error"], error)
+        for test in graded["tests"]:
+            if test["exercise"] == self.exercise.id:
+                self.assertEqual(test["outcome"], "did not build")
+                self.assertRegex(test["reason"], error)
 
 
 if __name__ == "__main__":

@@ -9,7 +9,7 @@ import zipfile
 from pathlib import Path
 
 import strip
-from toy_course import course, make_toy, outcomes, reference_body, solve, write_body
+from toy_course import course, make_toy, outcomes, reference_body, solve, where, write_body
 
 SUMS = "common/math/sums.cpp"
 BODIES = ("sum += value", "most = value > most", "total(values) / static_cast", "return value > high", "*= weights[i]")
@@ -135,7 +135,7 @@ class Loop(unittest.TestCase):
 
         packed = self.run_course("submit", "01")
         self.assertIn("The last check gave it 100 of 100 points.", packed)
-        ended = course(self.toy, "grade", "01", "--submission", self.tree / "build/submission_01.zip")
+        ended = course(self.toy, "grade", "01", "--submission", self.tree / "build/submission_01.zip", *where())
         self.assertIn("01_first: 100 of 100 points", ended.stdout)
 
     def test_results_come_back_with_an_earlier_state_of_the_files(self):
@@ -148,13 +148,31 @@ class Loop(unittest.TestCase):
         self.assertRegex(status, r"ex-01\.1 +A sum +0/40 +not implemented")
 
     def test_a_compile_error_is_shown_with_its_place(self):
+        solve(self.tree, self.toy, "ex-01.1")
         write_body(self.tree, "ex-01.2", "return nothing;")
         broken = self.run_course("check", "01", code=1)
         line = strip.exercises_of_tree(self.tree)["ex-01.2"].first + 1
         self.assertIn(f"01_first does not build: {SUMS}:{line}:12: error: 'nothing' was not declared", broken)
+        self.assertRegex(broken, r"Sums\.LargestIsTheLargest +ex-01\.2 +0/30 +did not build")
+        self.assertRegex(broken, r"Sums\.TotalAddsAllValues +ex-01\.1 +40/40 +passed")
         self.assertIn("Make it compile", broken)
         self.assertIn("did not build", self.run_course("status"))
         self.assertIn("make it compile", self.run_course("next"))
+
+    def test_what_does_not_count_is_said_at_once_and_is_not_counted(self):
+        solve(self.tree, self.toy, "ex-01.1", "ex-01.2")
+        path = self.tree / SUMS
+        path.write_text("static double helped(double x) { return x; }\n" + path.read_text().replace("sum += value", "sum += helped(value)")
+                        .replace("double most", "EXPECT_EQ(1, 1);\n    double most"))
+        outside = f"note: {SUMS}:1: changed outside of an exercise's body, which does not count"
+        for words, code, refusal in ((("check", "01", "--no-pictures"), 1, "is refused"), (("submit", "01"), 0, "will be refused")):
+            said = self.run_course(*words, code=code)
+            self.assertIn(outside, said)
+            self.assertIn(f"note: ex-01.2 {refusal}: {SUMS}:18: 'EXPECT_EQ' is of the test kit", said)
+        self.assertIn("0 of 100 points", said)
+        ended = course(self.toy, "grade", "01", "--submission", self.tree / "build/submission_01.zip", *where())
+        for part in (outside, f"note: ex-01.2 is refused: {SUMS}:18", "01_first: 0 of 100 points", "'helped' was not declared"):
+            self.assertIn(part, ended.stdout)
 
     def test_a_crash_and_an_endless_loop_are_told_apart(self):
         write_body(self.tree, "ex-01.1", "volatile int* nowhere = nullptr;\nreturn *nowhere;")
@@ -223,7 +241,7 @@ class Loop(unittest.TestCase):
 
     def test_the_students_tree_is_a_grader_too(self):
         report = self.top / "own.json"
-        self.run_course("grade", "01", "--submission", self.toy, "--json", report)
+        self.run_course("grade", "01", "--submission", self.toy, "--json", report, *where())
         self.assertEqual(set(outcomes(json.loads(report.read_text())["chapters"][0]).values()), {"passed"})
         self.assertIn("needs the reference", course(self.tree, "grade", "02", "--submission", self.toy, "--on-reference").stderr)
 

@@ -6,12 +6,12 @@ namespace caustic::test {
 
 /// The grader's own channel to a test program: two inherited descriptors.
 ///
-/// What a program prints, the files that it leaves and its exit code are easily forged by the code under test. So the
-/// grader (tools/exercises/testing.py) sends a random word through one pipe and believes only a verdict that comes with
-/// that word through the other, written here when the test is over. docs/grading.md says what this cannot prevent.
+/// What a program prints, the files that it leaves and its exit code are easily forged by the code under test. So, when
+/// the test is over, the program asks the grader (tools/exercises/verdicts.py) for a random word, and only a verdict
+/// that comes with that word is believed. docs/grading.md says what this cannot prevent.
 struct VerdictChannel {
     int in = -1;   ///< the random word comes here, ended by a newline
-    int out = -1;  ///< the verdict goes here: one line of JSON
+    int out = -1;  ///< here go the line "over", which asks for the word, and the verdict: one line of JSON
 };
 
 /// Takes "--verdict=IN,OUT" off the command line.

@@ -24,7 +24,7 @@ def run(args):
         raise CourseError("--time-limit must be more than 0 seconds")
     green = True
     for catalog in loop.chosen_catalogs(args.chapters):
-        grade = loop.grade_in_place(catalog, args.time_limit)
+        grade = loop.grade_here(catalog, args.time_limit)
         show(grade)
         if grade.done and not args.no_pictures:
             show_pictures(compare_figures(catalog.chapter))
@@ -37,10 +37,14 @@ def show(grade):
     if grade.error:
         say(f"{grade.chapter} does not build: {grade.error}")
         say(grade.excerpt)
-        say(f"{reports.summary(grade)}. Make it compile, then run ./course check again.")
-        return
+        say()
     say(reports.grade_table(grade))
     say()
+    for note in grade.notes:
+        say(f"note: {note}")
+    if grade.error:
+        say(f"{reports.summary(grade)}. Make it compile, then run ./course check again.")
+        return
     say(f"{reports.summary(grade)}.")
     states = {o.test.name: o.outcome for o in grade.outcomes}
     red = loop.first_red(grade.catalog, lambda test: states[test.name].passed)

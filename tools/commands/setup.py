@@ -11,7 +11,7 @@ HELP = "install the Debian packages that are missing"
 
 def add_arguments(parser):
     parser.add_argument("--group", choices=sorted(GROUPS), default="build",
-                        help="what you want to do: build (default), test, docs, bench, or full (test --full)")
+                        help="what you want to do: build (default), test, docs, grade, bench, or full (test --full)")
 
 
 def run(args):

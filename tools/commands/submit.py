@@ -36,15 +36,22 @@ def run(args):
     say(f"{shown(archive)}: {count(len(files), 'file')}")
     for path in files:
         say(f"  {path}")
+    for line in not_counting(loop.own_bodies(catalog.number)):
+        say(line)
     say(standing(catalog))
     return 0
 
 
 def paths_upto(number):
-    exercises = student.starter_exercises().values()
-    if not any(exercise.chapter == number for exercise in exercises):
+    if not any(exercise.chapter == number for exercise in student.starter_exercises().values()):
         raise CourseError(f"chapter {number} was solved when this tree was made, so there is nothing of yours to hand in")
-    return sorted({exercise.path for exercise in exercises if exercise.chapter <= number})
+    return loop.paths_upto(number)
+
+
+def not_counting(spliced):
+    """What of the files the grader will not take."""
+    return [f"note: {id} will be refused: {reason}" for id, reason in spliced.refused.items()] + [
+        f"note: {note}" for note in spliced.notes]
 
 
 def content_of(path):

@@ -14,7 +14,8 @@ from course_lib.terminal import say
 GROUPS = {
     "build": (),
     "docs": ("build",),
-    "test": ("build", "docs"),
+    "grade": ("build",),
+    "test": ("build", "docs", "grade"),
     "bench": ("test",),
     "full": ("bench",),
 }

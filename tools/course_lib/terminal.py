@@ -1,8 +1,11 @@
 """What the user sees: a bar with the time left on a terminal, plain lines elsewhere."""
 
+import re
 import sys
 import time
 
+# What could move the cursor, colour, or turn a line around: control characters but tab and newline, and marks of direction.
+UNPRINTABLE = re.compile("[\0-\b\v-\x1f\x7f-\x9f\u200e\u200f\u202a-\u202e\u2066-\u2069]")
 BAR_WIDTH = 24
 TITLE_WIDTH = 44
 PLAIN_PAUSE = 20  # seconds between two lines when there is no terminal
@@ -22,6 +25,11 @@ def format_duration(seconds):
 
 def say(text=""):
     print(text, flush=True)
+
+
+def printable(text):
+    """Somebody else's text without any power over a terminal: such characters are spelt out."""
+    return UNPRINTABLE.sub(lambda found: found[0].encode("unicode_escape").decode(), text.replace("\r\n", "\n"))
 
 
 def count(number, thing):

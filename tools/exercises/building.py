@@ -1,10 +1,10 @@
 """Builds a tree that may hold somebody else's code."""
 
+import math
 import os
 import re
 import shutil
 import subprocess
-import sys
 import time
 from dataclasses import dataclass
 from pathlib import Path
@@ -12,14 +12,18 @@ from pathlib import Path
 from course_lib.errors import CourseError
 from course_lib.paths import cores
 from course_lib.process import Finished, run
-from exercises.verdicts import LAUNCH
+from course_lib.terminal import printable
+from exercises import sandbox as box
 
 PRESET = "student"
 MOST_COMPILER_MEMORY = 8192  # MiB of address space of each process of the build
-MOST_COMPILER_TIME = 300  # seconds of processor time of each process of the build
+MOST_COMPILER_TIME = 120  # seconds of processor time of each process of the build
 MOST_COMPILER_FILE = 4096  # MiB
+MOST_COMPILER_TMP = 2048  # MiB of the sandbox's /tmp
+TIME_IS_UP = (124, 137)  # exit codes of timeout(1)
 FIRST_ERROR = re.compile(r"^(.*?(?:\berror:|undefined reference|multiple definition|FAILED:).*)$", re.MULTILINE)
-SYSTEM_FOLDERS = ("/usr/", "/opt/", "/nix/", "/Library/", "/Applications/")
+MENTION = re.compile(r"(?:^|[\s(])([\w./+-]+\.(?:h|cpp)):(\d+)", re.MULTILINE)
+OF_ONE_COMMAND = re.compile(r"^FAILED: .*?(?=^FAILED: |^\[\d+/\d+\]|^ninja: |\Z)", re.MULTILINE | re.DOTALL)
 
 
 @dataclass
@@ -38,11 +42,16 @@ def program(tree, name):
     return tree / "build" / PRESET / "bin" / name
 
 
-def build_tree(tree, targets, title, variables=()):
+def build_tree(tree, targets, title, variables=(), keep_going=False, sandboxed=False, jobs=None,
+               most_seconds=None):
     """Configures a tree with the preset `student` and builds the targets.
 
     @param title  what the progress lines say; none are shown when it is empty
     @param variables  further CMake variables, "NAME=VALUE"
+    @param keep_going  whether to build what can be built behind the first error
+    @param sandboxed  whether to build in the sandbox, where only the tree's build folder and ccache's can be written
+    @param jobs  how many compilers at a time; None for one a processor
+    @param most_seconds  when to give the build up; None for never
     @throws CourseError when CMake cannot configure it: that is no student's fault
     """
     folder = tree / "build" / PRESET
@@ -55,10 +64,19 @@ def build_tree(tree, targets, title, variables=()):
             reason = re.search(r"CMake Error.*?\n\s*(\S.*)", configured.output)
             raise CourseError(f"configuring {tree} failed: {reason[1] if reason else 'CMake said no more'}; "
                               "./course setup installs what is missing")
-    limits = [str(MOST_COMPILER_MEMORY), str(MOST_COMPILER_TIME), str(MOST_COMPILER_FILE)]
-    command = [sys.executable, "-I", "-S", LAUNCH, *limits, "cmake", "--build", folder, "-j", cores(), "--target", *targets]
+    command = ["cmake", "--build", folder, "-j", jobs or cores(), "--target", *targets, *(("--", "-k", "0") if keep_going else ())]
+    command = box.limited(command, MOST_COMPILER_MEMORY, MOST_COMPILER_TIME, MOST_COMPILER_FILE)
+    if sandboxed:
+        cache = box.compiler_cache()
+        command = ["env", *(f"CCACHE_DIR={place}" for place in cache),
+                   *box.wrapped(command, [box.LAUNCH, tree], [tree / "build", *cache], MOST_COMPILER_TMP)]
+    if most_seconds is not None:
+        command = ["timeout", "-k", "5", max(1, math.ceil(most_seconds)), *command]
     finished = execute(command, title and f"build {title}", tree)
-    output = readable(finished.output, tree)
+    output = printable(readable(finished.output, tree))
+    if most_seconds is not None and finished.code in TIME_IS_UP:
+        shutil.rmtree(folder)  # it may hold half a file that looks whole
+        return Built("the build took longer than a hand-in gets", output)
     return Built("" if finished.code == 0 else first_error(output), output)
 
 
@@ -104,27 +122,19 @@ def first_error(output):
     return (of_compiler or lines or ["the build failed without a message"])[0]
 
 
-def foreign_files(tree):
-    """Files that the compiler opened although they lie neither in the tree nor in a system folder, with who did.
+def failures(output):
+    """What each command that failed said: [text], in the order in which they ended."""
+    return [found[0] for found in OF_ONE_COMMAND.finditer(output)]
 
-    A submission that includes the reference's own source is no solution.
-    @return [(object file, path)]
-    """
-    folder = tree / "build" / PRESET
-    listed = subprocess.run(["ninja", "-C", str(folder), "-t", "deps"], stdout=subprocess.PIPE, check=True)
-    top = str(tree.resolve()) + "/"
-    found = []
-    target = ""
-    for line in listed.stdout.decode("utf-8", "surrogateescape").splitlines():
-        if not line.startswith(" "):
-            target = line.split(":")[0]
-            continue
-        if not line.strip():
-            continue
-        path = str((folder / line.strip()).resolve())
-        if not path.startswith((top, *SYSTEM_FOLDERS)):
-            found.append((target, path))
-    return found
+
+def mentions(said, paths):
+    """Places in some files that the compiler names, the first error's own first: [(path, line)]."""
+    error = re.search(r"^.*\berror:", said, re.MULTILINE)
+    from_error = said[error.start():] if error else said
+    before = said[:error.start()] if error else ""
+    found = [(place[1], int(place[2])) for place in (*MENTION.finditer(from_error.split("\n")[0]), *MENTION.finditer(before),
+                                                     *MENTION.finditer(from_error))]
+    return [place for place in found if place[0] in paths]
 
 
 def excerpt(output, most_lines=12):

@@ -3,14 +3,21 @@
 import concurrent.futures
 import contextlib
 import hashlib
+import os
+import time
 from dataclasses import dataclass, field
 
 from course_lib.paths import ROOT, cores
 from course_lib.terminal import Step
-from exercises.building import build_tree, excerpt, foreign_files, program
+from exercises.building import build_tree, excerpt, failures, first_error, mentions, program
 from exercises.catalog import GradedTest
-from exercises.trees import files_to_build, lay_out, work_folder
-from exercises.verdicts import NO_VERDICT, NOT_BUILT, Outcome, run_test
+from exercises.splicing import encoded, without_exercise
+from exercises.trees import files_to_build, lay_out
+from exercises.verdicts import NO_VERDICT, NOT_BUILT, NOT_IMPLEMENTED, REFUSED, TIMED_OUT, Outcome, run_test
+from strip import find_exercises
+
+MOST_BUILD_TIME = 900  # seconds to build a hand-in's chapter, its library included
+MOST_TEST_TIME = 90  # seconds for all tests of a hand-in's chapter
 
 
 @dataclass
@@ -29,9 +36,10 @@ class ChapterGrade:
 
     catalog: object
     outcomes: list  # of GradedOutcome, in the catalog's order
-    error: str = ""  # the compiler's first error when it did not build
+    error: str = ""  # the compiler's first error when something did not build, or why the hand-in was refused
     excerpt: str = ""  # more of what the compiler said
     notes: list = field(default_factory=list)  # what an instructor or student should know besides
+    looks: list = field(default_factory=list)  # what a person should look at
 
     @property
     def chapter(self):
@@ -50,44 +58,139 @@ class ChapterGrade:
         return [outcome for outcome in self.outcomes if outcome.test.exercise == id]
 
 
+@dataclass(frozen=True)
+class Conditions:
+    """Under which a hand-in is graded."""
+
+    time_limit: float = None  # seconds that no test gets more than
+    test_time: float = MOST_TEST_TIME  # seconds for all tests of a chapter; None for no such limit
+    build_time: float = MOST_BUILD_TIME  # seconds to build a chapter; None for no such limit
+    sandboxed: bool = False
+    quiet: bool = False  # whether no progress lines are shown
+    jobs: int = None  # compilers and tests at a time; None for one a processor
+
+
+@dataclass
+class Building:
+    """How the bodies of a hand-in were built."""
+
+    broken: dict  # exercise -> the compiler's first error
+    error: str = ""  # the first error of all
+    excerpt: str = ""
+    built: bool = True  # whether there is a test program
+
+
+def worthless(catalog, state, reason, said="", notes=(), looks=()):
+    """A chapter all of whose tests are lost for one reason."""
+    outcomes = [GradedOutcome(test, Outcome(state, reason)) for test in catalog.tests]
+    return ChapterGrade(catalog, outcomes, reason, said, list(notes), list(looks))
+
+
 def not_built(catalog, error, output, notes=()):
-    outcomes = [GradedOutcome(test, Outcome(NOT_BUILT, error)) for test in catalog.tests]
-    return ChapterGrade(catalog, outcomes, error, excerpt(output), list(notes))
+    return worthless(catalog, NOT_BUILT, error, excerpt(output), notes)
 
 
-def grade_overlay(catalog, overlay, notes=(), time_limit=None, root=ROOT):
-    """Grades a chapter on this tree with `overlay` (path -> bytes) put over it, in a fresh tree of its own."""
-    with work_folder("grade") as folder:
-        tree = folder / "tree"
-        lay_out(tree, files_to_build(root), overlay, root)
-        built = build_tree(tree, [catalog.target], catalog.chapter)
-        if built.error:
-            return not_built(catalog, built.error, built.output, notes)
-        foreign = foreign_files(tree)
-        if foreign:
-            error = f"{foreign[0][0]}: includes {foreign[0][1]}, which is no file of the course"
-            return not_built(catalog, error, "", notes)
-        outcomes = run_tests(catalog, program(tree, catalog.target), folder / "scratch", at_most(time_limit),
-                             f"test {catalog.chapter}")
-        return ChapterGrade(catalog, outcomes, notes=list(notes))
+def grade_spliced(catalog, spliced, folder, conditions=Conditions(), root=ROOT):
+    """Grades a chapter on this tree with a hand-in's bodies in it, in a tree of its own below `folder`.
+
+    A body that does not compile costs its own exercise's points: a stub takes its place.
+    """
+    tree = folder / "tree"
+    names = files_to_build(root)
+    building = build_bodies(catalog, dict(spliced.texts), tree, lambda overlay: lay_out(tree, names, overlay, root), conditions)
+    if not building.built:
+        return worthless(catalog, NOT_BUILT, building.error, building.excerpt, spliced.notes, spliced.looks)
+    known = {id: Outcome(REFUSED, reason) for id, reason in spliced.refused.items()}
+    known.update({id: Outcome(NOT_BUILT, reason) for id, reason in building.broken.items()})
+    outcomes = run_tests(catalog, program(tree, catalog.target), folder / "scratch", at_most(conditions.time_limit),
+                         "" if conditions.quiet else f"test {catalog.chapter}", known, conditions.test_time,
+                         conditions.sandboxed, conditions.jobs)
+    refused = [f"{id} is refused: {reason}" for id, reason in spliced.refused.items()]
+    return ChapterGrade(catalog, outcomes, building.error, building.excerpt, [*refused, *spliced.notes], spliced.looks)
 
 
-def run_tests(catalog, test_program, scratch, limit_of=lambda test: test.time_limit, title=""):
+def build_bodies(catalog, texts, tree, put, conditions):
+    """Builds, and takes out the bodies that do not compile until the rest does.
+
+    @param texts  path -> text, of the files with exercises
+    @param put  lays out the tree with such files
+    """
+    building = Building({})
+    title = "" if conditions.quiet else catalog.chapter
+    begin = time.monotonic()
+    while True:
+        put({path: encoded(text) for path, text in texts.items()})
+        left = None if conditions.build_time is None else begin + conditions.build_time - time.monotonic()
+        built = build_tree(tree, [catalog.target], title, keep_going=True, sandboxed=conditions.sandboxed,
+                           jobs=conditions.jobs, most_seconds=left)
+        if not built.error:
+            return building
+        if not building.error:
+            building.error, building.excerpt = built.error, excerpt(built.output)
+        found = {id: error for id, error in guilty(built.output, texts).items() if id not in building.broken}
+        if not found:
+            building.built = False
+            return building
+        building.broken.update(found)
+        for id in found:
+            path = next(path for path in texts if any(e.id == id for e in find_exercises(texts[path], path)))
+            texts[path] = without_exercise(texts[path], path, id)
+
+
+def guilty(output, texts):
+    """The exercises whose bodies do not compile: id -> the compiler's first error.
+
+    Of each file that the compiler gave up on only the first error counts: one mistake may lead to many.
+    """
+    found = {}
+    for said in failures(output):
+        for id in guilty_of_one(said, texts):
+            found.setdefault(id, first_error(said))
+    return found
+
+
+def guilty_of_one(said, texts):
+    for path, line in mentions(said, texts):
+        id = exercise_at(texts[path], path, line)
+        if id:
+            return [id]
+    # The linker's errors, and a compiler that was ended, name an object file at most.
+    return [e.id for path, text in texts.items() if f"{os.path.basename(path)}.o" in said for e in find_exercises(text, path)]
+
+
+def exercise_at(text, path, line):
+    """The exercise whose body is at a line, or ends before it: what a body lacks at its end, the compiler misses behind."""
+    before = [e.id for e in find_exercises(text, path) if e.first <= line]
+    return before[-1] if before else ""
+
+
+def run_tests(catalog, test_program, scratch, limit_of=lambda test: test.time_limit, title="", known=None, test_time=None,
+              sandboxed=False, jobs=None):
     """Runs all graded tests of a chapter, a few at a time.
 
     @param limit_of  gives a test's time limit in seconds
     @param title  what the progress line says; none is shown when it is empty
+    @param known  exercise -> what became of its tests, which are not run
+    @param test_time  seconds after which no further test is begun; None for no such limit
+    @param sandboxed  whether each test runs in the sandbox
+    @param jobs  how many tests run at a time; None for one a processor
     """
+    known = known or {}
     digest = file_digest(test_program)
+    begin = time.monotonic()
 
     def run_one(test):
+        if test.exercise in known:
+            return known[test.exercise]
+        if test_time is not None and time.monotonic() - begin > test_time:
+            return Outcome(TIMED_OUT, f"was not begun: the tests before it took {test_time:g} s, which is all that a hand-in gets")
         if file_digest(test_program) != digest:
             return Outcome(NO_VERDICT, "a test before it has changed the test program")
-        return run_test(test_program, test.name, limit_of(test), test.memory_limit, scratch)
+        return explained(run_test(test_program, test.name, limit_of(test), test.memory_limit, scratch, sandboxed), known)
 
     with contextlib.ExitStack() as stack:
         step = stack.enter_context(Step(title)) if title else None
-        pool = stack.enter_context(concurrent.futures.ThreadPoolExecutor(cores()))
+        pool = stack.enter_context(concurrent.futures.ThreadPoolExecutor(jobs or cores()))
         waiting = {pool.submit(run_one, test): test for test in catalog.tests}
         outcomes = {}
         for finished in concurrent.futures.as_completed(waiting):
@@ -95,6 +198,15 @@ def run_tests(catalog, test_program, scratch, limit_of=lambda test: test.time_li
             if step:
                 step.progress(len(outcomes), len(waiting))
     return [GradedOutcome(test, outcomes[test.name]) for test in catalog.tests]
+
+
+def explained(outcome, known):
+    """Says when a test met the stub in place of a body that was not taken or did not build."""
+    if outcome.state == NOT_IMPLEMENTED:
+        for id, why in known.items():
+            if f"exercise {id} is not" in outcome.reason:
+                outcome.reason = f"needs {id}, which {'was ' if why.state == REFUSED else ''}{why.state}"
+    return outcome
 
 
 def at_most(seconds):

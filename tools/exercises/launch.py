@@ -1,4 +1,4 @@
-"""Starts a program under limits: launch.py MEMORY_MIB CPU_SECONDS FILE_MIB PROGRAM [ARGUMENT...]; 0 sets no limit.
+"""Starts a program under limits: launch.py [--processes=N] MEMORY_MIB CPU_SECONDS FILE_MIB PROGRAM [ARGUMENT...]; 0 sets no limit.
 
 A program of its own because limits have to be set between fork and exec, where a grader with threads must not run Python.
 """
@@ -19,6 +19,8 @@ def limit(kind, value):
 
 
 def main(arguments):
+    if arguments[0].startswith("--processes="):
+        limit(resource.RLIMIT_NPROC, int(arguments.pop(0).split("=")[1]))
     memory, seconds, file_size = (int(word) for word in arguments[:3])
     limit(resource.RLIMIT_AS, memory << 20)
     limit(resource.RLIMIT_CPU, seconds)

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from course_lib.errors import CourseError
 from course_lib.terminal import count, table
-from exercises.verdicts import CRASHED, FAILED, NOT_BUILT, NOT_IMPLEMENTED, TIMED_OUT
+from exercises.verdicts import CRASHED, FAILED, NOT_IMPLEMENTED, TIMED_OUT
 
 MOST_REASON = 96
 # What XML 1.0 cannot hold, not even escaped.
@@ -52,9 +52,10 @@ def details(graded):
     return "\n".join(lines)
 
 
-def to_json(grades, submission, on_reference):
+def to_json(grades, submission, on_reference, sandbox):
     return {
         "submission": submission,
+        "sandbox": sandbox,
         "onReference": on_reference,
         "points": sum(grade.points for grade in grades),
         "maxPoints": sum(grade.catalog.points for grade in grades),
@@ -70,6 +71,7 @@ def chapter_json(grade):
         "built": not grade.error,
         "error": grade.error,
         "notes": grade.notes,
+        "looks": grade.looks,
         "exercises": {id: {"points": sum(o.points for o in grade.of_exercise(id)),
                            "maxPoints": sum(o.test.points for o in grade.of_exercise(id))} for id in grade.catalog.exercises},
         "tests": [{
@@ -86,7 +88,7 @@ def chapter_json(grade):
     }
 
 
-def to_gradescope(grades):
+def to_gradescope(grades, sandbox):
     """https://gradescope-autograders.readthedocs.io/en/latest/specs/ : results.json."""
     tests = []
     for grade in grades:
@@ -102,7 +104,7 @@ def to_gradescope(grades):
                 "tags": [grade.chapter, o.test.exercise],
                 "visibility": "visible",
             })
-    lines = [line for grade in grades for line in [summary(grade), *errors_and_notes(grade)]]
+    lines = [line for grade in grades for line in [summary(grade), *errors_and_notes(grade)]] + [f"sandbox: {sandbox}"]
     return {
         "score": sum(grade.points for grade in grades),
         "output": "\n".join(lines),
@@ -118,7 +120,7 @@ def errors_and_notes(grade):
     return ([f"did not build: {grade.error}", grade.excerpt] if grade.error else []) + [f"note: {n}" for n in grade.notes]
 
 
-def to_junit(grades):
+def to_junit(grades, sandbox):
     """JUnit's XML as Jenkins and GitLab read it: a suite a chapter; failures are assertions, errors all else."""
     suites = xml.Element("testsuites", name="caustic")
     for grade in grades:
@@ -130,6 +132,7 @@ def to_junit(grades):
         properties = xml.SubElement(suite, "properties")
         xml.SubElement(properties, "property", name="points", value=str(grade.points))
         xml.SubElement(properties, "property", name="maxPoints", value=str(grade.catalog.points))
+        xml.SubElement(properties, "property", name="sandbox", value=sandbox)
         for o in grade.outcomes:
             add_case(suite, grade, o)
     return xml.tostring(suites, encoding="utf-8", xml_declaration=True)
@@ -142,7 +145,7 @@ def add_case(suite, grade, graded):
     if not outcome.passed:
         kind = "failure" if outcome.state in (FAILED, NOT_IMPLEMENTED) else "error"
         element = xml.SubElement(case, kind, message=for_xml(outcome.reason or outcome.state), type=outcome.state)
-        element.text = for_xml(grade.excerpt if outcome.state == NOT_BUILT else details(graded))
+        element.text = for_xml(details(graded))
     if outcome.output:
         xml.SubElement(case, "system-out").text = for_xml(outcome.output)
 

@@ -1,25 +1,27 @@
 """Runs one graded test and decides what became of it.
 
 The test program is somebody else's code, so nothing that is easy to forge counts: not what it prints, no file, no exit
-code. The grader sends a random word through a pipe and believes only a verdict that carries this word through another
-pipe (tests/support/verdict.h is the other end).
+code. When the test is over, the program asks for a random word through a pipe, gets it through another, and only a verdict
+that carries this word is believed (tests/support/verdict.h is the other end). So no code of the test meets the word.
 """
 
 import json
+import math
 import os
 import secrets
 import selectors
 import signal
 import subprocess
-import sys
 import tempfile
 import time
 from dataclasses import dataclass, field
-from pathlib import Path
 
+from course_lib.paths import cores
+from course_lib.terminal import printable
+from exercises import sandbox as box
 from exercises.trees import remove_tree
 
-LAUNCH = Path(__file__).resolve().parent / "launch.py"
+LAUNCH = box.LAUNCH
 MOST_OUTPUT = 16 * 1024  # bytes of a test's output that are kept
 MOST_VERDICT = 256 * 1024
 MOST_FILE = 256  # MiB of one file that a test may write
@@ -31,7 +33,10 @@ CRASHED = "crashed"
 TIMED_OUT = "timed out"
 NO_VERDICT = "no verdict"
 NOT_BUILT = "did not build"
-STATES = (PASSED, FAILED, NOT_IMPLEMENTED, CRASHED, TIMED_OUT, NO_VERDICT, NOT_BUILT)
+REFUSED = "refused"
+STATES = (PASSED, FAILED, NOT_IMPLEMENTED, CRASHED, TIMED_OUT, NO_VERDICT, NOT_BUILT, REFUSED)
+ASKS = b"over\n"  # what the test program sends when the test is over, to get the word
+TMP = 256  # MiB of a test's /tmp
 
 
 @dataclass
@@ -50,25 +55,34 @@ class Outcome:
 
 
 class TestProcess:
-    """A test program that runs in a process group and an empty folder of its own."""
+    """A test program that runs in a sandbox, or in a process group and an empty folder of its own."""
 
-    def __init__(self, program, test, time_limit, memory_limit, folder):
-        word_read, word_write = os.pipe()
-        verdict_read, verdict_write = os.pipe()
+    def __init__(self, program, test, time_limit, memory_limit, folder, sandboxed):
+        word_read, self._word_write = os.pipe()
+        self.verdict, verdict_write = os.pipe()
         self.word = secrets.token_hex(16)
         self.time_limit = time_limit
-        self.verdict = verdict_read
+        self._sandboxed = sandboxed
+        self._watch = None
         self.start = time.monotonic()
-        command = [sys.executable, "-I", "-S", str(LAUNCH), str(memory_limit), "0", str(MOST_FILE), str(program),
-                   f"--gtest_filter={test}", "--gtest_brief=1", f"--verdict={word_read},{verdict_write}"]
+        command = [program, f"--gtest_filter={test}", "--gtest_brief=1", f"--verdict={word_read},{verdict_write}"]
+        command = box.limited(command, memory_limit, math.ceil(time_limit) * cores() + 1, MOST_FILE,
+                              box.MOST_PROCESSES if sandboxed else 0)
+        inherited = [word_read, verdict_write]
+        if sandboxed:
+            info, info_write = os.pipe()
+            calls = box.childless()
+            inherited += [info_write, calls]
+            command = box.wrapped(command, [box.LAUNCH, program], size=TMP, info=info_write, calls_from=calls)
         try:
-            self.process = subprocess.Popen(command, cwd=folder, env=environment(folder), stdin=subprocess.DEVNULL,
-                                            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, start_new_session=True,
-                                            pass_fds=(word_read, verdict_write))
-            os.write(word_write, (self.word + "\n").encode())
+            self.process = subprocess.Popen(list(map(str, command)), cwd=folder, stdin=subprocess.DEVNULL,
+                                            env=environment(box.HOME if sandboxed else folder), stdout=subprocess.PIPE,
+                                            stderr=subprocess.STDOUT, start_new_session=True, pass_fds=inherited)
         finally:
-            for end in (word_read, word_write, verdict_write):
+            for end in inherited:
                 os.close(end)
+        if sandboxed:
+            self._watch = box.Watch(info)
 
     def finish(self):
         """Waits for the end, or brings it about; returns (exit code or None when time ran out, output, verdict line)."""
@@ -79,14 +93,16 @@ class TestProcess:
                 os.set_blocking(descriptor, False)
                 selector.register(descriptor, selectors.EVENT_READ)
             ended = self._collect(selector, texts, limits)
-            self._end_group()
+            self._end_all()
             code = self.process.wait()
             for descriptor in list(selector.get_map()):
                 drain(descriptor, texts[descriptor], limits[descriptor])
         output, verdict = (bytes(text).decode("utf-8", "replace") for text in texts.values())
-        os.close(self.verdict)
+        for descriptor in (self.verdict, self._word_write):
+            if descriptor is not None:
+                os.close(descriptor)
         self.process.stdout.close()
-        return (code if ended else None), output, verdict
+        return (code if ended else None), printable(output), verdict.removeprefix(ASKS.decode())
 
     def _collect(self, selector, texts, limits):
         """Reads until the program has ended (True) or its time is over (False)."""
@@ -99,15 +115,29 @@ class TestProcess:
             for key, _ in selector.select(min(left, 0.05)) if selector.get_map() else ():
                 if not drain(key.fd, texts[key.fd], limits[key.fd]):
                     selector.unregister(key.fd)
+            self._answer(texts[self.verdict])
             if self._has_ended():
                 return True
+
+    def _answer(self, sent):
+        """Sends the word, once the program has said that the test is over."""
+        if self._word_write is None or not sent.startswith(ASKS):
+            return
+        try:
+            os.write(self._word_write, (self.word + "\n").encode())
+        except BrokenPipeError:
+            pass  # it is gone
+        os.close(self._word_write)
+        self._word_write = None
 
     def _has_ended(self):
         if not hasattr(os, "waitid"):  # macOS before Python 3.13
             return self.process.poll() is not None
         return os.waitid(os.P_PID, self.process.pid, os.WEXITED | os.WNOHANG | os.WNOWAIT) is not None
 
-    def _end_group(self):
+    def _end_all(self):
+        if self._watch:
+            self._watch.end()
         # The leader is not waited for yet, so its group's number cannot belong to anybody else.
         try:
             os.killpg(self.process.pid, signal.SIGKILL)
@@ -133,21 +163,22 @@ def environment(folder):
             "OMP_NUM_THREADS": "2", "MALLOC_ARENA_MAX": "2"}
 
 
-def run_test(program, test, time_limit, memory_limit, scratch):
+def run_test(program, test, time_limit, memory_limit, scratch, sandboxed=False):
     """Runs one test in a fresh folder below `scratch`.
 
     @param test  "Suite.Test"
     @param time_limit  seconds; @param memory_limit MiB of address space
+    @param sandboxed  whether it runs in the sandbox, whose /tmp is its folder then
     """
     scratch.mkdir(parents=True, exist_ok=True)
     folder = tempfile.mkdtemp(dir=scratch)
     try:
-        process = TestProcess(program, test, time_limit, memory_limit, folder)
+        process = TestProcess(program, test, time_limit, memory_limit, folder, sandboxed)
         code, output, line = process.finish()
         seconds = time.monotonic() - process.start
     finally:
         remove_tree(folder)
-    outcome = judge(code, line, process.word, output, time_limit)
+    outcome = judge(box.exit_code(code) if sandboxed else code, line, process.word, output, time_limit)
     outcome.output = output
     outcome.seconds = seconds
     return outcome
@@ -186,7 +217,8 @@ def read_verdict(line, word):
         return None
     if not all(isinstance(f, dict) and isinstance(f.get("place"), str) and isinstance(f.get("message"), str) for f in failures):
         return None
-    return verdict
+    said = [{"place": printable(f["place"]), "message": printable(f["message"])} for f in failures]
+    return {"verdict": printable(verdict["verdict"]), "failures": said}
 
 
 def first_reason(failures):
