@@ -120,5 +120,10 @@ int run(int argc, const char* const* argv, const Ranks& ranks) {
 
 int main(int argc, char** argv) {
     const caustic::Ranks ranks;
-    return caustic::run(argc, argv, ranks);
+    try {
+        return caustic::run(argc, argv, ranks);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "sppm_ranks: %s\n", error.what());
+        ranks.abort(caustic::exitFailure);
+    }
 }

@@ -63,6 +63,7 @@ void Ranks::send(const std::string& bytes) const {
         MPI_Test(&request, &done, MPI_STATUS_IGNORE);
         return done != 0;
     });
+    MPI_Wait(&request, MPI_STATUS_IGNORE);  // returns at once
 }
 
 std::string Ranks::receive(int from) const {
