@@ -1,14 +1,19 @@
 """./course mutants --systematic: what the operators make, and how mutants are told apart."""
 
+import tempfile
 import unittest
+from pathlib import Path
+from types import SimpleNamespace
 
 from course_lib.errors import CourseError
+from mutation.known import KnownOutcomes
 from mutation.mutants import Target, mutants_of, squeezed
 from mutation.operators import OPERATORS
 from mutation.operators_types import Context
 from mutation.same_code import same_as_last
 from mutation.schema import blamed, make_schema
 from mutation.signature import read_signature
+from mutation.store import Store
 from mutation.structure import Body
 from strip import body as body_of
 from strip import find_exercises
@@ -58,6 +63,7 @@ class Signatures(unittest.TestCase):
         self.assertEqual(self.read("template <typename T, int N>\nstatic BasicInterval<T> f(const M<T, N>& x, T y)").result,
                          "BasicInterval<T>")
         self.assertEqual(self.read("[[nodiscard]] inline const Vec3& Mesh::at(int i)").result, "const Vec3&")
+        self.assertEqual(self.read("private:\n    // Splits it.\n    void split(int x)").result, "void")
 
     def test_what_is_no_function_is_refused(self):
         with self.assertRaisesRegex(CourseError, "a.cpp:5: mistakes by rule need a marker right behind a function's head"):
@@ -161,6 +167,55 @@ class Mutants(unittest.TestCase):
         output = (f"x.h: In instantiation of g:\nsrc/a.cpp:{first}:5:   required from here\nx.h:3:4: error: no\n"
                   f"src/a.cpp:{second}:9: note: declared here\n")
         self.assertEqual(blamed(output, "src/a.cpp", schema), {0})
+
+
+class Known(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        for name in ("library.o", "one.o", "two.o"):
+            self.write(name, name)
+        self.write("one.cpp", "TEST(A, One) {\n}\n")
+        self.write("two.cpp", "TEST_F(A, Two) {\n}\n")
+
+    def write(self, name, text):
+        (self.folder / name).write_text(text, encoding="utf-8")
+
+    def known(self):
+        toolchain = SimpleNamespace(
+            library_words=("-la",), library_objects=(self.folder / "library.o",),
+            test_objects={name: self.folder / f"{name}.o" for name in ("one", "two")},
+            test_sources={name: self.folder / f"{name}.cpp" for name in ("one", "two")})
+        return KnownOutcomes(Store(self.folder / "outcomes.jsonl"), toolchain)
+
+    def kept(self, changed, state, by="", path="common/a/a.cpp"):
+        """Whether an outcome is still known when an object has changed."""
+        mutant = SimpleNamespace(exercise="ex-01.1", body=f"{changed} {state} {path}", path=path)
+        outcome = {"state": state, "by": by}
+        self.known().put(mutant, outcome)
+        self.assertEqual(self.known().get(mutant), outcome)
+        before = (self.folder / changed).read_text(encoding="utf-8")
+        self.write(changed, "another")
+        found = self.known().get(mutant)
+        self.write(changed, before)
+        return found is not None
+
+    def test_what_was_caught_depends_on_the_file_that_caught_it(self):
+        self.assertTrue(self.kept("one.o", "caught", "A.Two"))
+        self.assertFalse(self.kept("two.o", "caught", "A.Two"))
+
+    def test_what_escaped_may_be_caught_by_any_file(self):
+        self.assertFalse(self.kept("one.o", "escaped"))
+        self.assertFalse(self.kept("two.o", "escaped"))
+
+    def test_what_compiles_depends_on_tests_only_in_a_header(self):
+        self.assertTrue(self.kept("one.o", "invalid"))
+        self.assertFalse(self.kept("one.o", "equivalent", path="common/a/a.h"))
+
+    def test_nothing_is_known_of_another_library(self):
+        for state in ("caught", "escaped", "invalid", "equivalent"):
+            self.assertFalse(self.kept("library.o", state, "A.One" if state == "caught" else ""))
 
 
 def function(name, *lines):

@@ -13,6 +13,7 @@ from course_lib.terminal import Step, count
 from exercises.building import build_tree, program
 from exercises.trees import files_to_build, lay_out, remove_tree
 from mutation.equivalents import read_equivalents
+from mutation.known import KnownOutcomes
 from mutation.mutants import mutants_of, read_enumerations, read_targets
 from mutation.programs import MutantProgram, Toolchain
 from mutation.running import Batch, batches_of, limit_for, touches, try_mutant, try_reference
@@ -96,6 +97,7 @@ class Campaign:
             raise CourseError(f"the reference of {self._catalog.chapter} does not build: {built.error}")
         self._toolchain = Toolchain(self._tree, self._catalog.target)
         self._digest = hashlib.sha256(program(self._tree, self._catalog.target).read_bytes()).hexdigest()
+        self._known = KnownOutcomes(self._store, self._toolchain)
         self._seconds = {test.name: self._reference_seconds(test) for test in self._catalog.tests}
 
     def run(self, chosen, deadline):
@@ -103,7 +105,7 @@ class Campaign:
         outcomes = {}
         waiting = []
         for mutant in chosen:
-            known = self._store.get(self._key(mutant))
+            known = self._known.get(mutant)
             if known is not None:
                 outcomes[mutant.id] = known
             else:
@@ -130,9 +132,6 @@ class Campaign:
             self._store.put(key, round(ended.seconds, 2))
         return self._store.get(key)
 
-    def _key(self, mutant):
-        return self._store.key(self._digest, mutant.exercise, mutant.body)
-
     def _try_all(self, chunks, deadline):
         numbers = itertools.count()
 
@@ -157,19 +156,15 @@ class Campaign:
             compiled = {mutant.id for mutant in built.mutants}
             for mutant in mutants:
                 if mutant.id not in compiled:
-                    outcomes[mutant.id] = self._keep(mutant, {"state": INVALID, "by": "", "how": ""})
+                    outcomes[mutant.id] = self._known.put(mutant, {"state": INVALID, "by": "", "how": ""})
             batches = batches_of(self._tests_touching(target, built.program, folder), target.id, self._seconds)
             for number, mutant in enumerate(built.mutants, start=1):
                 same = mutant.id in built.same
-                outcomes[mutant.id] = self._keep(mutant, dict(SAME_CODE) if same else
+                outcomes[mutant.id] = self._known.put(mutant, dict(SAME_CODE) if same else
                                                  try_mutant(built.program, number, batches, folder / "scratch"))
         finally:
             remove_tree(folder)
         return outcomes
-
-    def _keep(self, mutant, outcome):
-        self._store.put(self._key(mutant), outcome)
-        return outcome
 
     def _tests_touching(self, target, built, folder):
         """The graded tests that enter the exercise's body: no other can notice a mistake in it."""

@@ -7,6 +7,7 @@ import shlex
 import subprocess
 import sys
 from dataclasses import dataclass
+from pathlib import Path
 
 from course_lib.errors import CourseError
 from exercises.building import MOST_COMPILER_FILE, MOST_COMPILER_MEMORY, MOST_COMPILER_TIME, PRESET, first_error, program
@@ -39,6 +40,11 @@ class Toolchain:
         units = [unit_of(entry) for entry in commands]
         linked = self._linked_objects()
         self.units = {unit.object: unit for unit in units if unit.object in linked}
+        own = [word for word in self._link if word.endswith(".o")]
+        self.library_words = tuple(word for word in self._link if word not in own)
+        self.library_objects = tuple(self.folder / name for name in sorted(self.units) if name not in own)
+        self.test_objects = {name: self.folder / name for name in own}
+        self.test_sources = {name: Path(self.units[name].source) for name in own if name in self.units}
         self._dependencies = self._read_dependencies()
 
     def units_with(self, path):

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from course_lib.errors import CourseError
 from mutation.tokens import partners_of, tokens_of
 
+ACCESS = {"public", "protected", "private"}
 NOT_OF_THE_TYPE = {"inline", "static", "constexpr", "virtual", "explicit", "friend"}
 BEHIND_PARAMETERS = {"const", "noexcept", "override", "final", "&"}
 
@@ -74,6 +75,8 @@ def result_type(head, tokens, partners, opening):
             first = next(i for i in range(first, name) if tokens[i].text == ">") + 1
         elif tokens[first].text in NOT_OF_THE_TYPE:
             first += 1
+        elif tokens[first].text in ACCESS:  # private: void split(...)
+            first += 2
         elif tokens[first].text == "[" and first in partners:  # [[nodiscard]]
             first = partners[first] + 1
         else:
