@@ -38,7 +38,7 @@ public:
     std::size_t memory() const;
 
     /// Calls visit(const NearPoint&) for each point within a radius, the border included: once each, in an order that
-    /// depends on the points and the query alone.
+    /// depends on the points and the query alone. Within a negative radius, and around what isn't finite, there is none.
     template <typename Visit>
     void within(const Vec3& query, Real radius, const Visit& visit) const;
 

@@ -94,6 +94,15 @@ TEST(VisiblePoint, SeesTheLampsOnTheWay) {
     const EyePath both = look(bright, {0, 1, 0}, {2, 1.2, 0.3});
     EXPECT_TRUE(both.point) << "A lamp may scatter light, too.";
     EXPECT_LE((both.seen - tint * Color(5, 7, 11)).abs().maxCoeff(), 1e-9);
+
+    // From the floor any way on would see the sky.
+    const Scene open(
+        {{floorOf(rosy)}, {std::make_shared<ConstantEnvironment>(Color(1, 2, 3))}, Color::Zero(), nullptr});
+    const EyePath floor = look(open, {0, 1, 0}, {1, 0, 0.5});
+    ASSERT_TRUE(floor.point);
+    EXPECT_EQ(floor.seen.maxCoeff(), 0) << "Does the path go on from its visible point?";
+    const EyePath sky = look(open, {0, 1, 0}, {1, 2, 0.5});
+    EXPECT_LE((sky.seen - Color(1, 2, 3)).abs().maxCoeff(), 1e-12) << "Where nothing is met, the sky is seen.";
 }
 
 // A floor that a mesh makes smooth: its shading normal leans.
@@ -156,6 +165,14 @@ TEST(Gather, LeavesOutPhotonsFromBehind) {
     const Gathered found = PhotonGrid(photons, 0.1).gather(*path.point, 0.1, 8);
     EXPECT_EQ(found.photons, 1) << "Does the floor scatter what comes from below?";
     EXPECT_LE((found.flux - rosy / pi).abs().maxCoeff(), 1e-9);
+    // A floor that keeps red light to itself is lit all the same.
+    const Color green(0, 0.5, 0.2);
+    const Scene other({{floorOf(green)}, {}, Color::Zero(), nullptr});
+    const EyePath same = look(other, {0, 1, 0}, {0.3, 0, 0.2});
+    ASSERT_TRUE(same.point);
+    const Gathered coloured = PhotonGrid(photons, 0.1).gather(*same.point, 0.1, 8);
+    EXPECT_EQ(coloured.photons, 1) << "Which photons scatter nothing at all to the eye?";
+    EXPECT_LE((coloured.flux - green / pi).abs().maxCoeff(), 1e-9);
 }
 
 // Light that takes more segments than a path may have: the eye's and the photon's, together.

@@ -47,6 +47,9 @@ TEST(RadiusRule, APointKeepsAShareOfWhatItFinds) {
         ASSERT_LE((after.flux / ((before.flux + found.flux) * kept) - 1).abs().maxCoeff(), 1e-9)
             << "Which part of old and new flux is within the smaller disc?";
     }
+    PointStatistics crowded = {1, 0, Color::Zero()};
+    update(crowded, {33'554'433, Color::Ones()}, 0.5);
+    EXPECT_EQ(crowded.photons, 33'554'433 / 2.0) << "Is any of so many lost?";
 }
 
 // A pass that brings nothing leaves everything as it was, the first one too: 0/0 is no share.
