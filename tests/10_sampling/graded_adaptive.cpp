@@ -97,6 +97,23 @@ TEST(AdaptiveLoop, GivesEachPixelTheFirstPaths) {
     one.start(12);
     EXPECT_EQ(countsOf(one.adaptive.next()), (std::map<std::size_t, std::int64_t>{{7, 4}}))
         << "Then the rule has its say.";
+    std::vector<std::int64_t> given(pixels, 12);
+    given[0] = 8;
+    given[31] = 0;
+    given[59] = 9;
+    one.start(given);
+    EXPECT_EQ(countsOf(one.adaptive.next()), (std::map<std::size_t, std::int64_t>{{0, 4}, {31, 4}, {59, 4}}))
+        << "Those that have their first paths wait for the others.";
+    Case few({{7, 1}}, {.batch = 4, .first = 10, .paths = 12 * pixels, .spread = 0});
+    given.assign(pixels, 12);
+    given[0] = 8;
+    given[1] = 5;
+    given[2] = 1;
+    few.start(given);
+    EXPECT_EQ(few.adaptive.next().size(), 12U) << "22 paths are left, and three pixels want their first ones.";
+    given[59] = 24;
+    few.start(given);
+    EXPECT_EQ(few.adaptive.next().size(), 8U) << "Ten paths are left: two batches.";
 }
 
 // The paths of a pixel are numbered through, and a pixel's stand together: no number twice, none left out.
@@ -128,6 +145,9 @@ TEST(AdaptiveLoop, TakesThoseThatWantItMost) {
     one.start(2);
     EXPECT_EQ(countsOf(one.adaptive.next()), (std::map<std::size_t, std::int64_t>{{9, 2}, {44, 2}, {58, 2}}))
         << "3 of 60 pixels.";
+    Case rounded(some, {.batch = 2, .first = 2, .share = 0.021, .spread = 0});
+    rounded.start(2);
+    EXPECT_EQ(rounded.adaptive.next().size(), 4U) << "A share of 1.26 pixels: two.";
     Case whole(some, {.batch = 2, .first = 2, .share = 1, .spread = 0});
     whole.start(2);
     EXPECT_EQ(countsOf(whole.adaptive.next()).size(), some.size())
@@ -158,6 +178,9 @@ TEST(AdaptiveLoop, KeepsItsLimits) {
     Case whole({{7, 1}, {8, 9}, {9, 4}}, {.batch = 2, .first = 2, .paths = 2 * pixels + 5, .share = 1, .spread = 0});
     whole.start(2);
     EXPECT_EQ(whole.adaptive.next().size(), 4U) << "Five paths are left: two batches.";
+    Case spent({{7, 1}}, {.batch = 1, .first = 1, .paths = 2 * pixels - 3, .share = 1, .spread = 0});
+    spent.start(2);
+    EXPECT_TRUE(spent.adaptive.next().empty()) << "More have been taken than there are.";
 }
 
 std::vector<PathId> pathsOf(const std::vector<Pixel>& some, std::int64_t first, int batch) {

@@ -29,6 +29,18 @@ TEST(EdgeRule, FindsStepsInAnyChannel) {
                     << x << ", " << y << ": Is the largest of the channels compared, without its sign?";
         }
     }
+    // What is wanted goes with the Laplacian of v/(v + m): left and right of the step it is their difference.
+    const Color left(1, 0.5, 4);
+    const Color right(3, 5, 0.2);
+    const Real mean = ((left + right) / 2).mean();
+    const Real edge = (right / (right + mean) - left / (left + mean)).abs().maxCoeff();
+    const std::vector<Real> exact = rule.wanted(step(left, right));
+    for (std::size_t y = 0; y < height; ++y) {
+        EXPECT_NEAR(exact[y * width + 5] / edge, 1, 1e-5)
+            << "Which channel's edge, and compressed by which brightness?";
+        EXPECT_NEAR(exact[y * width + 6] / edge, 1, 1e-5)
+            << "Which channel's edge, and compressed by which brightness?";
+    }
 }
 
 // The picture's brightness decides nothing, and a black picture has no edges.
@@ -54,7 +66,7 @@ TEST(EdgeRule, AsksForSteepEdgesWithFewPathsFirst) {
     const std::vector<Real> before = rule.wanted(estimates);
     estimates[3 * width + 5].batches = 10;
     const std::vector<Real> after = rule.wanted(estimates);
-    EXPECT_NEAR(after[3 * width + 5] / after[2 * width + 5], 0.1, 1e-3) << "It has ten times the batches.";
+    EXPECT_NEAR(after[3 * width + 5] / after[2 * width + 5], 0.1, 1e-12) << "It has ten times the batches.";
     const std::vector<Real> steeper = rule.wanted(step(Color::Ones(), Color(6, 6, 6)));
     EXPECT_GT(steeper[5], 1.2 * before[5]);
     for (const Real want : EdgeRule(0.9).wanted(step(Color::Ones(), Color(2, 2, 2)))) ASSERT_EQ(want, 0);

@@ -34,8 +34,8 @@ TEST(EmissionSampler, PutsEachPointIntoItsCell) {
                 ASSERT_EQ(static_cast<std::uint32_t>(u.x() * columns), cell % columns) << "Which way do columns go?";
                 ASSERT_EQ(static_cast<std::uint32_t>(u.y() * rows), cell / columns);
                 if (place != CellPlace::Centre) continue;
-                ASSERT_NEAR(u.x() * columns - cell % columns, 0.5, 1e-9);
-                ASSERT_NEAR(u.y() * rows - cell / columns, 0.5, 1e-9);
+                ASSERT_NEAR(u.x() * columns - cell % columns, 0.5, 1e-12);
+                ASSERT_NEAR(u.y() * rows - cell / columns, 0.5, 1e-12);
             }
         }
     }
@@ -90,6 +90,30 @@ TEST(EmissionSampler, OffsetsHaveOrdersOfTheirOwn) {
         }
     }
     EXPECT_EQ(orders.size(), lines) << "The same order in all columns is a pattern again.";
+
+    // In a square grid, columns and rows have orders of the same length: none is that of another one.
+    constexpr std::uint32_t side = 13;
+    const EmissionSampler square(8, side, side, CellPlace::Offset);
+    orders.clear();
+    lines = 0;
+    for (std::int64_t round = 0; round < 3; ++round) {
+        for (const Dimension dimension : {Dimension::emissionPoint(), Dimension::emissionDirection()}) {
+            for (std::uint32_t line = 0; line < side; ++line, lines += 2) {
+                std::vector<std::uint32_t> ofColumn;
+                std::vector<std::uint32_t> ofRow;
+                for (std::uint32_t i = 0; i < side; ++i) {
+                    const PathName path = {2, {0, 0}, round * side * side + i};
+                    const Real x = square.pointOf(i * side + line, path, dimension).x();
+                    const Real y = square.pointOf(line * side + i, path, dimension).y();
+                    ofColumn.push_back(static_cast<std::uint32_t>(x * side * side) % side);
+                    ofRow.push_back(static_cast<std::uint32_t>(y * side * side) % side);
+                }
+                orders.insert(ofColumn);
+                orders.insert(ofRow);
+            }
+        }
+    }
+    EXPECT_EQ(orders.size(), lines) << "Has each row an order of its own, too, which no column has?";
 }
 
 }  // namespace

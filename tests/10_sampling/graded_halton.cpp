@@ -53,6 +53,21 @@ TEST(Halton, PermutesEachDigitByItself) {
                   falseAlarm)
             << "base " << base << ": Are leading zeros permuted, each place by a permutation of its own?";
     }
+
+    // Multiples of the largest b⁻ᵏ that is at most 2⁻³², and all of these: the last digit takes each value.
+    for (int dimension = 0; dimension < haltonDimensions; ++dimension) {
+        const std::uint64_t base = primes[dimension];
+        std::uint64_t steps = 1;
+        while (steps < std::uint64_t{1} << 32) steps *= base;
+        std::set<std::uint64_t> last;
+        for (int i = 0; i < 1000; ++i) {
+            const auto index = static_cast<std::uint32_t>(random.below(std::uint64_t{1} << 32));
+            const Real scaled = haltonNumber(index, dimension, anyKey(random)) * static_cast<Real>(steps);
+            ASSERT_NEAR(scaled, std::round(scaled), 1e-4) << "base " << base << ": How many digits has a number?";
+            last.insert(static_cast<std::uint64_t>(std::round(scaled)) % base);
+        }
+        EXPECT_EQ(last.size(), base) << "base " << base << ": How many digits has a number?";
+    }
 }
 
 // Points 0 ... 22 of bases 23 and 29 climb side by side when digits aren't permuted, and go round when a number is only

@@ -4,8 +4,10 @@
 #include <set>
 
 #include "integrator/path_hash.h"
+#include "material/dielectric_material.h"
 #include "material/mirror_material.h"
 #include "modeler/objects.h"
+#include "shape/plane.h"
 
 namespace caustic {
 namespace {
@@ -53,6 +55,19 @@ TEST(PathHash, TellsObjectsApart) {
     hashes.insert(room.hash(eye, {1.7, 1.55, 0}));   // over the mirror
     hashes.insert(room.hash(eye, {0, 4.5, 20}));     // out of the room
     EXPECT_EQ(hashes.size(), 6U) << "Do the objects of the whole path go in, and a way out of the scene, too?";
+
+    // Walls one behind the other, each seen from either side, and nothing: all different.
+    SceneDescription walls;
+    for (int i = 0; i < 9; ++i)
+        walls.objects.push_back(diffuseRectangle({-1, -1, Real(i)}, {2, 0, 0}, {0, 2, 0}, Color::Ones()));
+    const Scene row(walls);
+    RayCounts counts;
+    hashes = {pathHash(row, {Vec3(0, 0, -1), -Vec3::UnitZ()}, 5, counts)};
+    for (int i = 0; i < 9; ++i) {
+        hashes.insert(pathHash(row, {Vec3(0.1, 0.2, i - 0.5), Vec3::UnitZ()}, 5, counts));
+        hashes.insert(pathHash(row, {Vec3(0.1, 0.2, i + 0.5), -Vec3::UnitZ()}, 5, counts));
+    }
+    EXPECT_EQ(hashes.size(), 19U) << "Has each object, from each side, a number that nothing else has?";
 }
 
 // What the mirror shows counts, and what is behind the glass.
@@ -64,6 +79,22 @@ TEST(PathHash, GoesOnOverMirrorsAndThroughGlass) {
         << "Two more segments go through the glass to what is behind it.";
     EXPECT_EQ(room.hash(eye, {-1.5, 1.25, 0}, 3), room.hash(eye, {-1.5, 1.25, 0}, 50))
         << "It ends where light is spread.";
+
+    // Behind a pane that light goes through one way: a floor in one piece, and a wall of two pieces that it mirrors.
+    SceneDescription description;
+    description.objects = {{std::make_shared<Plane>(Vec3::Zero(), Vec3::UnitZ()),
+                            std::make_shared<DielectricMaterial>(), Interior{1.5, nullptr, 0}, nullptr},
+                           diffuseRectangle({-99, -99, -1}, {198, 0, 0}, {0, 198, 0}, Color::Ones()),
+                           diffuseRectangle({90, -99, -0.5}, {0, 99, 0}, {0, 0, 90}, Color::Ones()),
+                           diffuseRectangle({90, 0, -0.5}, {0, 99, 0}, {0, 0, 90}, Color::Ones())};
+    const Scene pane(description);
+    RayCounts counts;
+    const auto hashOf = [&](Real slope, Real aside) {
+        return pathHash(pane, {Vec3(0, aside, 1), Vec3(1, aside, -slope).normalized()}, 9, counts);
+    };
+    EXPECT_NE(hashOf(0.05, 0.01), hashOf(0.05, -0.01)) << "Flat on it most light is mirrored: where does the path go?";
+    EXPECT_EQ(hashOf(2, 0.01), hashOf(2, -0.01)) << "From above most light goes through: where does the path go?";
+    EXPECT_NE(hashOf(2, 0.01), hashOf(0.05, 0.01));
 }
 
 // The side from which an object is met, and the order in which objects are.
@@ -82,6 +113,14 @@ TEST(PathHash, TellsSidesAndOrderApart) {
     EXPECT_NE(pathHash(between, {Vec3(0, 0, 0), Vec3::UnitX()}, 2, counts),
               pathHash(between, {Vec3(0, 0, 0), -Vec3::UnitX()}, 2, counts))
         << "Is a sum, or an exclusive or, told apart from another order?";
+    // To and fro between them for as many segments as are allowed, and each makes it another way.
+    std::set<std::uint64_t> hashes;
+    for (int segments = 1; segments <= 6; ++segments) {
+        RayCounts own;
+        hashes.insert(pathHash(between, {Vec3(0, 0, 0), Vec3::UnitX()}, segments, own));
+        EXPECT_EQ(own.rays, segments) << "How many segments may a path have?";
+    }
+    EXPECT_EQ(hashes.size(), 6U) << "Does each segment count?";
 }
 
 }  // namespace
