@@ -51,11 +51,30 @@ Real integral(const ImageDistribution& distribution, const Vec2& low, const Vec2
     return sum * (high - low).prod() / (perAxis * perAxis);
 }
 
+// Pixels' centres and the borders, as shares of the whole; between them the density is bilinear.
+std::vector<Real> nodesOf(int size, Real (*heightOf)(Real)) {
+    std::vector<Real> nodes = {0};
+    for (int i = 0; i < size; ++i) nodes.push_back(heightOf((i + 0.5) / size));
+    nodes.push_back(1);
+    return nodes;
+}
+
 // A density is one: all of it together is 1, on a plane as on a sphere. So the mean is that of the brightness by area.
 TEST(ImageDistribution, DensityIntegratesToOne) {
     for (const Case& one : cases()) {
         const ImageDistribution distribution(one.image, one.wrapX, one.wrapY, one.heightOf);
         EXPECT_NEAR(integral(distribution, {0, 0}, {1, 1}, 1500), 1, 2e-3)
+            << "A cell's weight: how bright is it in the mean of its four corners, and how large?";
+        // In a cell's middle a bilinear function has its mean.
+        const std::vector<Real> us = nodesOf(one.image.width(), onPlane);
+        const std::vector<Real> hs = nodesOf(one.image.height(), one.heightOf);
+        Real sum = 0;
+        for (std::size_t row = 0; row + 1 < hs.size(); ++row) {
+            for (std::size_t column = 0; column + 1 < us.size(); ++column)
+                sum += distribution.pdf({(us[column] + us[column + 1]) / 2, (hs[row] + hs[row + 1]) / 2}) *
+                       (us[column + 1] - us[column]) * (hs[row + 1] - hs[row]);
+        }
+        EXPECT_NEAR(sum, 1, 1e-9)
             << "A cell's weight: how bright is it in the mean of its four corners, and how large?";
     }
 }
@@ -70,6 +89,7 @@ TEST(ImageDistribution, SamplesSayTheirDensity) {
             ASSERT_GT(sample.pdf, 0);
             ASSERT_NEAR(sample.pdf / distribution.pdf(sample.at), 1, 1e-6)
                 << "The cell's probability over its area, times what varies within it: is one of the three missing?";
+            ASSERT_NEAR(sample.pdf, distribution.pdf(sample.at), 1e-9) << "To the last digits?";
         }
     }
 }

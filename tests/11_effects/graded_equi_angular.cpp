@@ -41,12 +41,12 @@ void expectEvenAngles(const Ray& ray, Real tEnd, const Vec3& centre) {
         const PlaceOnRay place = sampleEquiAngular(ray, tEnd, centre, (i + 0.5) / n);
         ASSERT_GE(place.t, 0);
         ASSERT_LE(place.t, tEnd) << "The ray ends there.";
-        ASSERT_NEAR(place.pdf / truth.pdf(place.t), 1, 1e-6) << "Density over t: D / (Δθ (D² + (t − foot)²))?";
+        ASSERT_NEAR(place.pdf / truth.pdf(place.t), 1, 1e-9) << "Density over t: D / (Δθ (D² + (t − foot)²))?";
         shares.push_back(truth.share(place.t));
     }
     std::sort(shares.begin(), shares.end());
     for (int i = 0; i < n; ++i)
-        ASSERT_NEAR(shares[static_cast<std::size_t>(i)], (i + 0.5) / n, 2.0 / n) << "Evenly spread angles?";
+        ASSERT_NEAR(shares[static_cast<std::size_t>(i)], (i + 0.5) / n, 1e-9) << "Evenly spread angles?";
 }
 
 // Rays from anywhere past anything, at scales from a millimetre to a kilometre; the centre before, beside and behind.

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/random.h"
@@ -93,10 +94,16 @@ TEST(MappedNormal, BendsNoFurtherThanNeeded) {
         }
         if (cosine > 0) continue;
         ++bent;
-        ASSERT_LE(reflected(wo, normal).dot(hit.ng), 0.0101) << "Is it turned further than it takes?";
-        ASSERT_LT(std::abs(normal.dot(hit.ng.cross(plain).normalized())), 1e-6) << "In which plane is it turned?";
+        ASSERT_NEAR(reflected(wo, normal).dot(hit.ng), std::min(0.01, wo.dot(hit.ng) / 2), 1e-9)
+            << "Is it turned further than it takes?";
+        ASSERT_NEAR(normal.dot(hit.ng.cross(plain).normalized()), 0, 1e-9) << "In which plane is it turned?";
     }
     EXPECT_GT(bent, 300);
+    // wo in the surface, and in no plane with the normal: nothing to reckon an angle from.
+    Hit flat;
+    const Vec3 grazing = mappedNormal(flat, Vec3(0.6, 0, 0.8), Vec3::UnitY());
+    ASSERT_NEAR(grazing.norm(), 1, 1e-9) << "Is 0 divided by 0?";
+    ASSERT_GT(grazing.z(), 0);
 }
 
 // A flat map leaves the normal as it was, to the last bit; and where u has no direction there is no map.
@@ -108,6 +115,8 @@ TEST(MappedNormal, FlatChangesNothing) {
         ASSERT_EQ(mappedNormal(hit, Vec3::UnitZ(), wo), hit.ns) << "Bit for bit: is it made anew?";
         hit.dpdu = Vec3::Zero();
         ASSERT_EQ(mappedNormal(hit, someLocal(random), wo), hit.ns) << "At a pole, is 0 divided by 0?";
+        hit.dpdu = 700 * hit.ns;
+        ASSERT_EQ(mappedNormal(hit, someLocal(random), wo), hit.ns) << "What rounding leaves of u is no direction.";
     }
 }
 

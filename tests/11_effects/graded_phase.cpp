@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <vector>
 
 #include "math/frame.h"
 #include "medium/henyey_greenstein.h"
@@ -18,6 +21,11 @@ Frame cellsFor(const Vec3& wo) {
     return {around.n, around.s, around.t};
 }
 
+// Henyey and Greenstein's distribution of cosθ.
+Real shareBelow(Real cosine, Real g) {
+    return (1 - g * g) / (2 * g) * (1 / std::sqrt(1 + g * g - 2 * g * cosine) - 1 / (1 + g));
+}
+
 // Chi-square of directions against p; for g next to 0 a formula that divides by g has no digits left.
 TEST(HenyeyGreenstein, SamplesFollowThePhaseFunction) {
     std::uint64_t seed = 1;
@@ -29,6 +37,29 @@ TEST(HenyeyGreenstein, SamplesFollowThePhaseFunction) {
                 [&](const Vec3& wi) { return phase.p(wo, wi); }};
             EXPECT_GE(test::directionProbability(sampling, 60'000, seed++, cellsFor(wo)), 1e-6)
                 << "g = " << g << ": is it the inverse of the distribution of cosθ, around where light was going?";
+        }
+    }
+    // Numbers in equal steps turn light by angles of which each has the same share, and all the way round: whichever of
+    // the two decides about which.
+    constexpr int steps = 300;
+    for (const Real g : {-0.9, -0.3, 0.5, 0.97}) {
+        const HenyeyGreenstein phase(g);
+        const Vec3 wo = directions[0];
+        const Frame around = Frame::around(-wo);
+        std::vector<Real> shares;
+        std::vector<Real> turns;
+        for (int i = 0; i < steps; ++i) {
+            const Vec3 wi = phase.sample(wo, Vec2::Constant((i + 0.5) / steps)).wi;
+            shares.push_back(shareBelow(wi.dot(-wo), g));
+            turns.push_back(std::atan2(wi.dot(around.t), wi.dot(around.s)) / (2 * std::numbers::pi));
+        }
+        std::sort(shares.begin(), shares.end());
+        std::sort(turns.begin(), turns.end());
+        for (int i = 0; i < steps; ++i) {
+            const auto at = static_cast<std::size_t>(i);
+            ASSERT_NEAR(shares[at], (i + 0.5) / steps, 1e-9)
+                << "g = " << g << ": Is it the inverse of the distribution?";
+            ASSERT_NEAR(turns[at] - turns[0], i / Real(steps), 1e-9) << "Does the other number turn it once around?";
         }
     }
 }
