@@ -8,7 +8,8 @@ from pathlib import Path
 from course_lib.paths import ROOT
 from docs.doxygen_warnings import relevant_warnings
 from docs.links import dead_links
-from docs.parts import declared_names, reduced
+from docs.parts import declared_names
+from docs.topic_map import reduced
 
 from docs_tree import CURVE_HEADER, SmallTree
 

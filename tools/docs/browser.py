@@ -97,6 +97,19 @@ class Browser:
             self.call("Input.dispatchKeyEvent", {"type": "keyDown", "text": letter, "key": letter})
             self.call("Input.dispatchKeyEvent", {"type": "keyUp", "key": letter})
 
+    def press(self, key, code):
+        """Presses a key that writes nothing, such as ArrowLeft, by its name and its Windows code."""
+        for kind in ("rawKeyDown", "keyUp"):
+            self.call("Input.dispatchKeyEvent", {"type": kind, "key": key, "code": key, "windowsVirtualKeyCode": code})
+
+    def resize(self, width=None, height=None):
+        """Shows the page as in a window of this size, a phone's for example; without one, as in the window that it is in."""
+        if width is None:
+            self.call("Emulation.clearDeviceMetricsOverride")
+        else:
+            self.call("Emulation.setDeviceMetricsOverride",
+                      {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False})
+
     def screenshot(self, path):
         """Saves what the window shows as PNG."""
         answer = self.call("Page.captureScreenshot", {"format": "png"})

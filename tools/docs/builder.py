@@ -10,9 +10,11 @@ from course_lib.errors import CourseError
 from docs.doxygen_warnings import relevant_warnings
 from docs.filter import page_text
 from docs.links import dead_links
-from docs.markdown import FILES_FOLDER, Converter, Problem
+from docs.markdown import FILES_FOLDER, PANELS_FOLDER, Converter, Problem
+from docs.panels import Sheet
 from docs.parts import Parts
 from docs.postprocess import Finisher, Symbols, copy_file
+from docs.search import put_lessons_first
 from docs.snippets import all_snippets
 from docs.tree import MAIN_PAGE, SKIPPED_FOLDERS, Tree
 
@@ -87,9 +89,12 @@ class Builder:
             return warnings + [f"Doxygen wrote no {', '.join(missing)}"]
         self._copy_mathjax()
         self._copy_pictures()
+        self._parts.draw_charts(self.html)
+        problems = warnings + self._cut_panels()
+        put_lessons_first(self._tree, self.html)
         Finisher(self._root, self.html, Symbols(self._out / "symbols.xml", self.html)).finish(
             {page.url for page in self._tree.pages.values()})
-        return warnings + dead_links(self.html)
+        return problems + dead_links(self.html)
 
     def _write_header(self):
         """Doxygen's own header, with our scripts."""
@@ -104,7 +109,7 @@ class Builder:
         layout = (self._out / "layout.xml").read_text(encoding="utf-8")
         ours = (self._root / THEME / "navigation.xml").read_text(encoding="utf-8")
         lessons = "\n".join(tab(page) for page in self._tree.chapters())
-        shown = {"index", "glossary", "architecture"}
+        shown = {"index", *re.findall(r'url="(?:@ref )?(\w+)(?:\.html)?"', ours)}
         others = "\n".join(tab(page) for page in self._tree.pages.values()
                            if page.name not in shown and not page.name.startswith("chapter_"))
         ours = ours.replace("<!-- lessons -->", lessons).replace("<!-- others -->", others)
@@ -142,6 +147,20 @@ class Builder:
             shown.update(re.findall(rf'src="{FILES_FOLDER}/([^"]+)"', text))
         for path in sorted(shown):
             copy_file(self._root, path, self.html)
+
+    def _cut_panels(self):
+        """The panels of figures that pages show alone; what is wrong with them."""
+        wanted = {}  # the figure's path below the tree's top, without .png -> numbers of panels
+        for page in self._tree.pages.values():
+            for path, number in re.findall(rf'src="{PANELS_FOLDER}/([^"]+)-(\d+)\.png"',
+                                           (self.html / page.url).read_text(encoding="utf-8")):
+                wanted.setdefault(path, set()).add(int(number))
+        problems = []
+        for path, numbers in sorted(wanted.items()):
+            sheet = Sheet(self._root / f"{path}.png")
+            problems += [f"{path}.png: it has {len(sheet.panels())} panels, and a page shows number {number}" for number in
+                         sorted(numbers) if not sheet.save_panel(number, self.html / PANELS_FOLDER / f"{path}-{number}.png")]
+        return problems
 
 
 def tab(page):

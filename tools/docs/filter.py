@@ -19,9 +19,7 @@ from docs.tree import Tree
 def page_text(converter, page, parts):
     """The whole page for Doxygen: as converted, and what the site adds at its end."""
     text = converter.convert()
-    if page.name == "index":
-        text += parts.gallery()
-    elif page.name.startswith("chapter_"):
+    if page.name.startswith("chapter_"):
         text += parts.lesson_end(page)
     return text
 

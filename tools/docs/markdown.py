@@ -19,11 +19,18 @@ SNIPPET_LINE = re.compile(r"^(\s*)\[code: (ex-\d\d\.\d+|[a-z][a-z0-9_-]*)\]\(([^
 RAW_SNIPPET = re.compile(r"^\s*[\\@]snippet\b")
 # A comment <!-- name --> on a line of its own is replaced by what the site's generator of that name draws.
 GENERATED = re.compile(r"^<!-- site: ([a-z]+) -->\s*$")
+# Two pictures of one size, a border between them that the reader moves: each a picture of the tree, or a panel of one
+# ("bunnies.png#3", counted from 1), and what it is called.
+SLIDER = re.compile(r'^<!-- site: slider (\S+) "([^"]+)" (\S+) "([^"]+)" -->\s*$')
 # Doxygen would give each paragraph within <details> a box of its own.
 DETAILS = re.compile(r"^\s*(</?details.*|<summary>.*)$")
 # Where the site keeps files of the tree that it shows or links to and that are no page.
 FILES_FOLDER = "files"
+# Where it keeps panels of figures: panels/figures/04_kd_tree/bunnies-3.png.
+PANELS_FOLDER = "panels"
 RAW_HTML = "\\htmlonly[block]\n{}\n\\endhtmlonly"
+# The page with <!-- site: gallery -->.
+FIGURES_PAGE = "docs/figures.md"
 # From this many headings on, a page has a table of contents beside its text.
 MANY_HEADINGS = 4
 # Fences in other languages are set without colours: Doxygen would take them for C++.
@@ -99,7 +106,7 @@ class Converter:
     @staticmethod
     def _is_alone(line):
         """Whether the line is a block of its own: heading, snippet, generated part, details."""
-        return any(pattern.match(line) for pattern in (HEADING, SNIPPET_LINE, RAW_SNIPPET, GENERATED, DETAILS))
+        return any(pattern.match(line) for pattern in (HEADING, SNIPPET_LINE, RAW_SNIPPET, GENERATED, SLIDER, DETAILS))
 
     def _fenced(self, lines):
         matched = FENCE.match(lines[0])
@@ -114,6 +121,8 @@ class Converter:
             return self._snippet(*SNIPPET_LINE.match(line).groups())
         if DETAILS.match(line):
             return ["", RAW_HTML.format(line.strip()), ""]
+        if SLIDER.match(line):
+            return self._slider(*SLIDER.match(line).groups())
         if GENERATED.match(line):
             return self._generated(GENERATED.match(line)[1])
         self._complain(r"GitHub shows \snippet as it stands; write [code: ex-NN.k](path/of/the/file.cpp)")
@@ -146,6 +155,22 @@ class Converter:
         if name not in self._generators:
             return self._complain(f"the site generates no '{name}'; it generates {', '.join(sorted(self._generators))}")
         return [self._generators[name](self._page)]
+
+    def _slider(self, before, before_name, after, after_name):
+        pictures = [self._slider_picture(target, name) for target, name in ((before, before_name), (after, after_name))]
+        label = html.escape(f"How much of the picture is {before_name}, the rest being {after_name}")
+        return ["", RAW_HTML.format(
+            f'<figure class="slider"><div class="slider-frame">{pictures[1]}{pictures[0].replace("<img", "<img class=before", 1)}'
+            f'<input type="range" min="0" max="100" value="50" aria-label="{label}"></div>'
+            f"<figcaption><span>{html.escape(before_name)}</span><span>{html.escape(after_name)}</span></figcaption></figure>"), ""]
+
+    def _slider_picture(self, target, name):
+        file, _, panel = target.partition("#")
+        path = self._resolve(file)
+        if not (self._tree.root / path).is_file() or (panel and not panel.isdigit()):
+            self._complain(f"there is no picture {path}{'#' + panel if panel else ''}")
+        url = f"{PANELS_FOLDER}/{path[:-len('.png')]}-{panel}.png" if panel else f"{FILES_FOLDER}/{path}"
+        return f'<img src="{html.escape(url)}" alt="{html.escape(name)}" />'
 
     # Inside a paragraph
 
@@ -203,10 +228,17 @@ class Converter:
         if self._tree.leaves_out(path):
             return inner
         if path in self._tree.figure_folders():
-            return f'<a href="index.html#{path.replace("/", "-")}">{inner}</a>'
+            return f'<a href="{self._figures_page()}#{path.replace("/", "-")}">{inner}</a>'
         if not (self._tree.root / path).exists():
             self._complain(f"dead link: there is no {path}")
         return f'<a href="tree:/{path}{"#" + anchor if anchor else ""}">{inner}</a>'
+
+    def _figures_page(self):
+        """The page that shows all figures."""
+        page = self._tree.pages.get(FIGURES_PAGE)
+        if page is None:
+            self._complain(f"there is no {FIGURES_PAGE}, which shows the figures of this folder")
+        return page.url if page else ""
 
     def _page_anchor(self, page, anchor):
         if not anchor or anchor == page.own_anchor:

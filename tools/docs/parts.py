@@ -1,11 +1,12 @@
 """The parts of pages that are drawn from the tree and from CMake's declarations, never typed in."""
 
 import html
-import json
 import re
-import subprocess
 
-from docs.markdown import RAW_HTML, image_html
+from docs.figure_gallery import Gallery
+from docs.integrators import Integrators
+from docs.markdown import RAW_HTML
+from docs.topic_map import TopicMap
 
 # What stands at the start of a line is declared in the namespace itself.
 CLASS = re.compile(r"^(?:class|struct|enum class) (\w+)\b(?!;)", re.MULTILINE)
@@ -20,42 +21,22 @@ class Parts:
         self._tree = tree
         self._topics = declarations["topics"]
         self._files = declarations["files"]
+        self._gallery = Gallery(tree)
+        self._integrators = Integrators(tree.root)
+        self._map = TopicMap(tree, declarations)
 
     def generators(self):
-        return {"topics": lambda page: self.topics_graph(), "library": lambda page: self.library()}
-
-    # The front page
-
-    def gallery(self):
-        """Every picture of figures/, chapter by chapter."""
-        sections = []
-        for folder, page in self._tree.figure_folders().items():
-            captions = self._captions(page)
-            order = list(captions)  # as the lesson shows them; others follow
-            pictures = sorted((self._tree.root / folder).glob("*.png"),
-                              key=lambda path: (order.index(path.name) if path.name in order else len(order), path.name))
-            cells = "".join(self._thumbnail(picture, captions) for picture in pictures)
-            sections.append(f'<h3 id="{folder.replace("/", "-")}"><a href="{page.url}">{html.escape(page.title)}</a></h3>\n'
-                            f'<div class="gallery">{cells}</div>')
-        if not sections:
-            return ""
-        return "\n## All figures {#index-all-figures}\n\n" + RAW_HTML.format("\n".join(sections))
+        return {"topics": lambda page: self._map.graph(), "places": lambda page: self._map.places(),
+                "library": lambda page: self.library(), "gallery": lambda page: self._gallery.page(),
+                "integrators": lambda page: self._integrators.page()}
 
     def pictures(self):
         """Paths of the gallery's pictures below the tree's top."""
-        return [picture.relative_to(self._tree.root).as_posix() for folder in self._tree.figure_folders()
-                for picture in (self._tree.root / folder).glob("*.png")]
+        return self._gallery.pictures()
 
-    def _thumbnail(self, picture, captions):
-        path = picture.relative_to(self._tree.root).as_posix()
-        caption = captions.get(picture.name, picture.stem.replace("_", " "))
-        inner = image_html(path, caption).replace("\\htmlonly", "").replace("\\endhtmlonly", "")
-        return f"<figure>{inner}<figcaption>{html.escape(caption)}</figcaption></figure>"
-
-    def _captions(self, page):
-        """What the lesson calls its pictures: file name -> alternative text."""
-        text = (self._tree.root / page.path).read_text(encoding="utf-8")
-        return {path.rsplit("/", 1)[-1]: " ".join(alt.split()) for alt, path in re.findall(r"!\[([^\]]+)\]\(([^)\s]+)\)", text)}
+    def draw_charts(self, html_folder):
+        """Draws the charts that pages show into the site."""
+        self._integrators.draw(html_folder)
 
     # A lesson's end
 
@@ -114,13 +95,6 @@ class Parts:
                 return f'<a href="{page.url}">{number:02}</a>'
         return f"{number:02}"
 
-    def topics_graph(self):
-        """The topics' graph as an SVG: an arrow leads from a topic to those that may use it."""
-        topics = {topic for topic, _ in self._topics.items()
-                  if any(tag["topic"] == topic and path.startswith("common/") for path, tag in self._files.items())}
-        uses = {topic: [used for used in self._topics[topic] if used in topics] for topic in topics}
-        return RAW_HTML.format(f'<div class="topics">{draw(dot_source(reduced(uses)))}</div>')
-
 
 def declared_names(header):
     """What a header declares in the namespace itself, in order: classes, aliases, functions."""
@@ -132,30 +106,3 @@ def declared_names(header):
         if name not in names and not name.startswith("operator"):
             names.append(name)
     return names
-
-
-def reaches(uses, start, goal):
-    return goal in uses[start] or any(reaches(uses, used, goal) for used in uses[start])
-
-
-def reduced(uses):
-    """The same graph without the arrows that follow from others."""
-    return {topic: [used for used in direct if not any(reaches(uses, other, used) for other in direct if other != used)]
-            for topic, direct in uses.items()}
-
-
-def dot_source(uses):
-    lines = ["digraph topics {", "rankdir=LR; nodesep=0.25; ranksep=0.6; bgcolor=transparent;",
-             'node [shape=box, style=rounded, fontname="DejaVu Sans", fontsize=12, height=0.4, margin="0.18,0.06"];',
-             "edge [arrowsize=0.7];"]
-    for topic in sorted(uses):
-        lines.append(f'"{topic}" [URL="#topic-{topic}", tooltip={json.dumps(topic)}];')
-        lines += [f'"{used}" -> "{topic}";' for used in sorted(uses[topic])]
-    return "\n".join(lines + ["}"])
-
-
-def draw(source):
-    """Graphviz's SVG of a graph, as an element to put into a page."""
-    svg = subprocess.run(["dot", "-Tsvg"], input=source, stdout=subprocess.PIPE, check=True, text=True).stdout
-    svg = re.sub(r"<!--.*?-->\n?", "", svg, flags=re.DOTALL)
-    return svg[svg.index("<svg"):].strip()
