@@ -48,6 +48,15 @@ class Markdown(SmallTree):
         self.assertIn('<img src="files/figures/01_curves/a.png" alt="a &quot;b&quot;"', converted)
         self.assertEqual(problems, [])
 
+    def test_chinese_pages(self):
+        path = "chapters/01_curves/README.zh.md"
+        self.assertEqual(self.convert("一**点** $x$ ，*斜* $y$ 。", path), ("一<b>点</b> \\f$x\\f$，<em>斜</em> \\f$y\\f$。", []))
+        self.write("README.zh.md", "# 题\n\n## 一\n\n## 二\n")
+        self.assertEqual(self.convert("[x](../../README.zh.md#二)", path), ('<a href="zh_index.html#zh_index-2">x</a>', []))
+        self.assertEqual(self.convert("[x](README.md)", path), ('<a href="chapter_01_curves.html">x</a>', []))
+        self.write(path, LESSON)
+        self.assertEqual(self.builder().lesson_problems(), [], "The English lesson alone is to show each exercise once.")
+
     def test_snippets_come_with_their_place_and_without_indentation(self):
         converted, problems = self.convert("[code: ex-01.1](../../common/curve/curve.cpp)")
         self.assertIn("~~~~{.cpp}\nconst int sum = x + x;\nreturn sum;\n~~~~", converted)

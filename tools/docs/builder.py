@@ -16,7 +16,7 @@ from docs.parts import Parts
 from docs.postprocess import Finisher, Symbols, copy_file
 from docs.search import put_lessons_first
 from docs.snippets import all_snippets
-from docs.tree import MAIN_PAGE, SKIPPED_FOLDERS, Tree
+from docs.tree import LESSONS, MAIN_PAGE, SKIPPED_FOLDERS, Tree
 
 THEME = "docs/theme"
 AWESOME = Path("/usr/share/doxygen-awesome-css")
@@ -63,8 +63,9 @@ class Builder:
                 problems.append(Problem(snippet.path, snippet.line, f"no page shows {marker}; take the marker away"))
             if snippet.chapter not in standing:
                 continue
-            lessons = [page for page in shown.get(marker, []) if page.name.startswith(f"chapter_{snippet.chapter}")]
-            others = [page for page in shown.get(marker, []) if page not in lessons]
+            own = [page for page in shown.get(marker, []) if (self._tree.chapter_of(page) or "")[:2] == snippet.chapter]
+            lessons = [page for page in own if page.language == "en"]
+            others = [page for page in shown.get(marker, []) if page not in own]
             if len(lessons) != 1:
                 problems.append(Problem(snippet.path, snippet.line, f"the lesson of chapter {snippet.chapter} shows "
                                         f"{marker} {len(lessons)} times instead of once"))
@@ -93,7 +94,7 @@ class Builder:
         problems = warnings + self._cut_panels()
         put_lessons_first(self._tree, self.html)
         Finisher(self._root, self.html, Symbols(self._out / "symbols.xml", self.html)).finish(
-            {page.url for page in self._tree.pages.values()})
+            {page.url: page.language for page in self._tree.pages.values()})
         return problems + dead_links(self.html)
 
     def _write_header(self):
@@ -111,8 +112,11 @@ class Builder:
         lessons = "\n".join(tab(page) for page in self._tree.chapters())
         shown = {"index", *re.findall(r'url="(?:@ref )?(\w+)(?:\.html)?"', ours)}
         others = "\n".join(tab(page) for page in self._tree.pages.values()
-                           if page.name not in shown and not page.name.startswith("chapter_"))
-        ours = ours.replace("<!-- lessons -->", lessons).replace("<!-- others -->", others)
+                           if page.name not in shown and not page.name.startswith(LESSONS) and page.language == "en")
+        chinese = "\n".join(tab(page) for page in self._tree.chinese())
+        group = f'<tab type="usergroup" url="[none]" title="中文">\n{chinese}\n    </tab>' if chinese else ""
+        for name, tabs in (("lessons", lessons), ("others", others), ("chinese", group)):
+            ours = ours.replace(f"<!-- {name} -->", tabs)
         layout = re.sub(r"<navindex>.*?</navindex>", lambda _: ours, layout, flags=re.DOTALL)
         (self._out / "layout.xml").write_text(layout, encoding="utf-8")
 

@@ -13,13 +13,13 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from docs.markdown import Converter
 from docs.parts import Parts
 from docs.snippets import all_snippets
-from docs.tree import Tree
+from docs.tree import LESSONS, Tree
 
 
 def page_text(converter, page, parts):
     """The whole page for Doxygen: as converted, and what the site adds at its end."""
     text = converter.convert()
-    if page.name.startswith("chapter_"):
+    if page.name.startswith(LESSONS):
         text += parts.lesson_end(page)
     return text
 

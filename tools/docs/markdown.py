@@ -41,7 +41,9 @@ INLINE = re.compile(r"""
   | (?P<comment> <!-- .*? --> )
   | (?P<escaped> \\\$ )
   | \$\$ (?P<display> .+? ) \$\$
-  | (?<![\w$]) \$ (?P<formula> (?=\S) [^$]+? (?<=\S) ) \$ (?![\w$])
+  | (?<![\w$]) \$ (?P<formula> (?=\S) [^$]+? (?<=\S) ) \$ (?![\w$]) (?P<gap> [ ] (?=[，。；：、！？）》”]) )?
+  | (?<!\*) \*\* (?P<strong> (?=\S) [^*]+? (?<=\S) ) \*\* (?!\*)
+  | (?<!\*) \* (?P<emphasis> (?=\S) [^*]+? (?<=\S) ) \* (?!\*)
   | !\[ (?P<alt> [^\]]* ) \] \( (?P<image> [^)\s]+ ) (?:\s+"[^"]*")? \)
   | (?<!!)\[ (?P<text> (?: [^\[\]] | !?\[[^\]]*\] )* ) \] \( (?P<target> [^)\s]+ ) (?:\s+"[^"]*")? \)
 """, re.VERBOSE | re.DOTALL)
@@ -191,7 +193,11 @@ class Converter:
         if matched["formula"] is not None:
             if "|" in matched["formula"] and self._in_table(matched):
                 self._complain(r"a bar ends the table's cell, in a formula too; write \lvert and \rvert")
+            # GitHub asks for a space between a formula and Chinese punctuation; set, there is to be none.
             return r"\f$" + one_line(matched["formula"]) + r"\f$"
+        for kind, mark in (("strong", "**"), ("emphasis", "*")):
+            if matched[kind] is not None:
+                return self._emphasised(kind, mark, INLINE.sub(self._converted, matched[kind]))
         if matched["image"] is not None:
             return self._image(matched["alt"], matched["image"])
         if matched["target"] is not None:
@@ -199,6 +205,11 @@ class Converter:
         if matched["comment"] is not None:
             return ""
         return matched[0]
+
+    def _emphasised(self, kind, mark, inner):
+        """Doxygen wants a space before a star, which Chinese has not."""
+        tag = {"strong": "b", "emphasis": "em"}[kind]
+        return f"<{tag}>{inner}</{tag}>" if self._page.language == "zh" else mark + inner + mark
 
     @staticmethod
     def _in_table(matched):

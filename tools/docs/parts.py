@@ -13,6 +13,10 @@ CLASS = re.compile(r"^(?:class|struct|enum class) (\w+)\b(?!;)", re.MULTILINE)
 ALIAS = re.compile(r"^using (\w+) =", re.MULTILINE)
 FUNCTION = re.compile(r"^(?!using |class |struct |enum |template|namespace )\w[\w:<>,&* ]* [&*]?(\w+)\(", re.MULTILINE)
 
+# What lessons' ends say, in each language.
+WORDS = {"en": {"library": "What this chapter adds to the library", "header": "header", "declares": "declares"},
+         "zh": {"library": "本章为库增添的内容", "header": "头文件", "declares": "声明"}}
+
 
 class Parts:
     """Generates what pages ask for by <!-- site: name --> lines, and what stands at the end of some pages."""
@@ -50,10 +54,11 @@ class Parts:
                    if tag["chapter"] == number and path.startswith("common/") and path.endswith(".h")]
         if not headers:
             return ""
-        return f"\n## What this chapter adds to the library {{#{page.name}-library}}\n\n" + self._table(headers)
+        words = WORDS[page.language]
+        return f"\n## {words['library']} {{#{page.name}-library}}\n\n" + self._table(headers, words)
 
     def _lesson_links(self, page):
-        lessons = self._tree.chapters()
+        lessons = self._tree.chapters(page.language)
         place = lessons.index(page)
         links = []
         if place > 0:
@@ -75,13 +80,14 @@ class Parts:
             if not headers:
                 continue
             uses = f"Uses {', '.join(used)}." if used else "Uses nothing of ours."
-            sections.append(f"\n### {topic} {{#topic-{topic}}}\n\n{uses}\n\n{self._table(headers, chapters=True)}")
+            table = self._table(headers, WORDS["en"], chapters=True)
+            sections.append(f"\n### {topic} {{#topic-{topic}}}\n\n{uses}\n\n{table}")
         return "\n".join(sections)
 
-    def _table(self, headers, chapters=False):
+    def _table(self, headers, words, chapters=False):
         """What headers declare; `chapters` says which chapter brought each, too."""
         rows = ["| header | declares | chapter |", "| :-- | :-- | :-- |"] if chapters else \
-            ["| header | declares |", "| :-- | :-- |"]
+            [f"| {words['header']} | {words['declares']} |", "| :-- | :-- |"]
         for path in headers:
             names = ", ".join(f"`{name}`" for name in declared_names((self._tree.root / path).read_text(encoding="utf-8")))
             short = path[len("common/"):]

@@ -17,6 +17,7 @@ NESTED_CLASSES = '<a href="#nested-classes">Classes</a> &#124;'
 # Doxygen takes functions of one name in two programs for one, and then mixes up in which file which line is.
 LINE_ANCHOR = re.compile(r'(?:id|name)="(l\d{5})"')
 SOURCE_LINE = re.compile(r'href="((\w+_source\.html)#(l\d{5}))"')
+HTML_TAG = re.compile(r'<html xmlns="[^"]*">')
 CODE_SPAN = re.compile(r"<code>([^<]+)</code>(?!</a>)")
 FRAGMENT = re.compile(r'<div class="fragment">.*?</div><!-- fragment -->', re.DOTALL)
 FRAGMENT_WORD = re.compile(r"(<[^>]*>)|\b([A-Z]\w+)\b")
@@ -60,8 +61,8 @@ class Finisher:
         self._symbols = symbols
         self._fragment_names = {name for name in symbols.api if "::" not in name and name[0].isupper()}
 
-    def finish(self, lessons):
-        """All pages; in `lessons`, the pages from Markdown, names in code become links too."""
+    def finish(self, pages):
+        """All pages; in `pages`, those from Markdown with their languages, names in code become links too."""
         lines = {page.name: set(LINE_ANCHOR.findall(page.read_text(encoding="utf-8")))
                  for page in self._folder.glob("*_source.html")}
         for path in sorted(self._folder.glob("*.html")):
@@ -72,7 +73,9 @@ class Finisher:
                 text = text.replace(NESTED_CLASSES, "")
             text = EMPTY_TABLE_HEAD.sub("", text)
             text = text.replace("<h3>Table of Contents</h3>", "<h3>On this page</h3>")
-            if path.name in lessons:
+            language = pages.get(path.name, "en")
+            text = HTML_TAG.sub(lambda tag: f'{tag[0][:-1]} lang="{language}">', text)  # for what reads pages aloud
+            if path.name in pages:
                 text = CODE_SPAN.sub(self._code_span, text)
                 text = FRAGMENT.sub(self._fragment, text)
             if text != before:

@@ -11,6 +11,9 @@ from exercises.student import LEFT_OUT, is_student_tree
 FENCE = re.compile(r"^ {0,3}(?:[-*]\s+|\d+\.\s+)?\s*(```+|~~~+)(.*)$")
 HEADING = re.compile(r"^(#{1,6})\s+(.*?)\s*#*\s*$")
 MAIN_PAGE = "README.md"
+# Chinese pages stand beside the English ones: README.zh.md beside README.md.
+CHINESE = ".zh.md"
+LESSONS = ("chapter_", "zh_chapter_")  # what names of lessons begin with
 # Folders whose Markdown is no page of the course.
 SKIPPED_FOLDERS = {"build", "node_modules", "mistakes", "__pycache__"}
 
@@ -24,6 +27,7 @@ class Page:
     title: str  # with the chapter's number in front, if it is a lesson
     own_anchor: str  # of its title, as GitHub names it
     anchors: list = field(default_factory=list)  # of its headings below the title, as GitHub names them, in order
+    language: str = "en"  # or "zh"
 
     @property
     def url(self):
@@ -31,6 +35,8 @@ class Page:
 
     def label(self, anchor):
         """Doxygen's label of a heading: unlike GitHub's anchor it has to be unique in the whole site, and ASCII."""
+        if self.language == "zh" and anchor in self.anchors:
+            return f"{self.name}-{self.anchors.index(anchor) + 1}"
         return f"{self.name}-{ascii_only(anchor)}"
 
 
@@ -40,14 +46,24 @@ def ascii_only(text):
 
 
 def page_name(path):
-    """chapters/01_bezier_curves/README.md -> chapter_01_bezier_curves, docs/grading.md -> grading, README.md -> index."""
+    """chapters/01_bezier_curves/README.md -> chapter_01_bezier_curves, docs/grading.md -> grading, README.md -> index.
+
+    A Chinese page has the name of the English one with zh_ before it.
+    """
     path = PurePosixPath(path)
+    if path.name.endswith(CHINESE):
+        return "zh_" + page_name(english(path))
     if str(path) == MAIN_PAGE:
         return "index"
     if path.name != "README.md":
         return path.stem.lower()
     folders = path.parts[:-1]
     return f"chapter_{folders[1]}" if folders[0] == "chapters" else "about_" + "_".join(folders)
+
+
+def english(path):
+    """README.zh.md -> README.md"""
+    return path.with_name(path.name[:-len(CHINESE)] + ".md")
 
 
 def github_anchor(heading):
@@ -76,9 +92,10 @@ def read_page(root, path):
     found = list(headings(text))
     heading = found[0][1] if found and found[0][0] == 1 else path.stem
     name = page_name(path)
-    number = f"{path.parts[1][:2]} " if name.startswith("chapter_") else ""
+    number = f"{path.parts[1][:2]} " if name.startswith(LESSONS) else ""
     title = re.sub(r"[`*]", "", heading)
-    page = Page(path, name, title if title.startswith(number) else number + title, github_anchor(heading))
+    page = Page(path, name, title if title.startswith(number) else number + title, github_anchor(heading),
+                language="zh" if path.name.endswith(CHINESE) else "en")
     seen = {}
     for _, heading in found[1:]:
         anchor = github_anchor(heading)
@@ -108,9 +125,14 @@ class Tree:
             return False
         return f"{path}/".startswith(LEFT_OUT) or "mistakes" in PurePosixPath(path).parts
 
-    def chapters(self):
-        """Pages of the lessons, in order."""
-        return [page for page in self.pages.values() if page.name.startswith("chapter_")]
+    def chapters(self, language="en"):
+        """Pages of the lessons in a language, in order."""
+        return [page for page in self.pages.values() if page.name.startswith(LESSONS) and page.language == language]
+
+    def chinese(self):
+        """The Chinese pages, the front page first."""
+        pages = [page for page in self.pages.values() if page.language == "zh"]
+        return sorted(pages, key=lambda page: (page.name != "zh_index", page.name))
 
     def figure_folders(self):
         """Folders with a lesson's pictures, lessons in order: path below the tree's top -> the lesson's page."""
@@ -119,4 +141,4 @@ class Tree:
 
     def chapter_of(self, page):
         """"01_bezier_curves" of a lesson's page, None of any other."""
-        return page.path.parts[1] if page.name.startswith("chapter_") else None
+        return page.path.parts[1] if page.name.startswith(LESSONS) else None
