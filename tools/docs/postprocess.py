@@ -17,6 +17,7 @@ NESTED_CLASSES = '<a href="#nested-classes">Classes</a> &#124;'
 # Doxygen takes functions of one name in two programs for one, and then mixes up in which file which line is.
 LINE_ANCHOR = re.compile(r'(?:id|name)="(l\d{5})"')
 SOURCE_LINE = re.compile(r'href="((\w+_source\.html)#(l\d{5}))"')
+ON_THIS_PAGE = {"en": "On this page", "zh": "本页内容"}
 HTML_TAG = re.compile(r'<html xmlns="[^"]*">')
 CODE_SPAN = re.compile(r"<code>([^<]+)</code>(?!</a>)")
 FRAGMENT = re.compile(r'<div class="fragment">.*?</div><!-- fragment -->', re.DOTALL)
@@ -72,8 +73,8 @@ class Finisher:
             if 'name="nested-classes"' not in text:
                 text = text.replace(NESTED_CLASSES, "")
             text = EMPTY_TABLE_HEAD.sub("", text)
-            text = text.replace("<h3>Table of Contents</h3>", "<h3>On this page</h3>")
             language = pages.get(path.name, "en")
+            text = text.replace("<h3>Table of Contents</h3>", f"<h3>{ON_THIS_PAGE[language]}</h3>")
             text = HTML_TAG.sub(lambda tag: f'{tag[0][:-1]} lang="{language}">', text)  # for what reads pages aloud
             if path.name in pages:
                 text = CODE_SPAN.sub(self._code_span, text)
