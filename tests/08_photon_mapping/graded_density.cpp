@@ -157,6 +157,11 @@ TEST(Neighbours, FewStandForTheWholeRadius) {
                     "Fewer than k: which disc is it?");
     expectDistances(map.neighbours(place.interaction(scene), {.nearest = 3, .radius = 5}), 0, 0.05, 100,
                     "None is near: which disc is it?");
+    // So many in one place that the next one is there, too.
+    const Photon one = photonAt(place.center(), place.frame().n, place.frame().n);
+    const auto found = PhotonMap(std::vector<Photon>(6, one)).neighbours(place.interaction(scene), {.nearest = 3});
+    EXPECT_GE(found.photons.size(), 3U);
+    EXPECT_GT(found.squaredRadius, 0) << "A disc without an area?";
 }
 
 // A fixed radius: all within it, however many.
@@ -234,7 +239,9 @@ TEST(Density, TheConeFilterKeepsTheMean) {
         for (int i = 1; i <= 5; ++i) weights += 1 - 0.1 * i / (0.7 * kappa);
         const Real expected = 0.3 / pi * weights / ((1 - 2 / (3 * kappa)) * pi * 1.4 * 1.4);
         const Color found = map.radiance(place.interaction(scene), {.nearest = {}, .radius = 1.4, .cone = kappa});
-        EXPECT_NEAR(found.x() / expected, 1, 1e-9) << "Distance, or its square? And what is the weights' mean?";
+        const Color colour = Color(1, 3, 2) * Color(1, 2, 3);  // of the surface over its red, and of the power
+        EXPECT_LE((found / (expected * colour) - 1).abs().maxCoeff(), 1e-9)
+            << "Distance, or its square? And what is the weights' mean?";
     }
 }
 
