@@ -41,7 +41,7 @@ BiasAndNoise apart(const std::vector<Image>& pictures, const Image& reference) {
 void chartBias(FigureContext& context) {
     const FloorCaustic floor(context);
     const std::vector<int> ks = {2, 4, 8, 16, 32, 64, 128, 256, 512};
-    const std::int64_t photons = context.byQuality(8'000, 64'000);
+    constexpr std::int64_t photons = 64'000;
     const int maps = context.byQuality(4, 8);
     CsvTable table({"method", "setting", "bias", "noise", "error_unit"});
     const std::vector<std::pair<std::string, Real>> filters = {{"no filter", 0}, {"cone filter", 1}};
