@@ -145,7 +145,8 @@ class Splicing(unittest.TestCase):
 
     def test_a_refused_body_costs_its_own_exercise_only(self):
         spliced = self.spliced(SOLVED.replace("return 1;", "return 1;\n    fork();"))
-        self.assertEqual(spliced.refused, {"ex-01.1": "a.cpp:8: 'fork' is of the operating system"})
+        self.assertEqual(spliced.refused, {
+            "ex-01.1": "a.cpp:8: 'fork' is of the operating system (call it something else, if it is yours)"})
         self.assertEqual(spliced.texts["a.cpp"], STARTER.replace('throw NotImplemented("ex-01.2");', "return 2;"))
 
     def test_missing_files_and_markers_are_noted(self):

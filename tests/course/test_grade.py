@@ -166,6 +166,15 @@ class Grade(unittest.TestCase):
         self.assertEqual(set(outcomes(grades["chapters"][0]).values()), {"refused"})
         for text in (grades["chapters"][0]["error"], gradescope["output"], paths["junit"].read_text(), ended.stderr):
             self.assertIn("holds no exercise file", text)
+        self.assertIn("refused: ", gradescope["output"])
+
+    def test_a_chapter_that_is_not_handed_in_costs_its_own_points(self):
+        files = self.reference_files(SUMS, CLAMP)
+        report = self.top / "one_chapter.json"
+        ended = course(self.toy, "grade", "--submission", self.submission("one_chapter", files), "--on-reference", "--json", report,
+                       *where())
+        self.assertEqual((ended.returncode, ended.stderr.count("\n")), (1, 1))
+        self.assertEqual([chapter["points"] for chapter in read(report)["chapters"]], [100, 0])
 
     def test_every_report_says_where_it_was_graded(self):
         files = self.reference_files(SUMS, CLAMP)

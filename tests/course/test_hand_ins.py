@@ -86,8 +86,10 @@ class All(unittest.TestCase):
             "reference": (100, files),
             "reference.zip": (100, zipped(files)),
             "whole_folder.zip": (100, zipped({f"ada/{path}": text for path, text in files.items()})),
+            "platform": (100, {"ada_assignment/submission_01.zip": zipped(files)}),
+            "in_a_folder": (100, {f"student/{path}": text for path, text in files.items()}),
             "starter": (0, {path: starter[path] for path in files}),
-            "half": (100 - LARGEST, {**files, SUMS: sums.replace(b"double most = values.front();", b'throw NotImplemented("ex-01.2");')}),
+            "half": (100 - LARGEST, {**files, SUMS: sums.replace(b"double most", b'throw NotImplemented("ex-01.2");\n    double most')}),
             "without_header": (90, {SUMS: sums}),
             "number_sign": (100, {**files, CLAMP: clamp.replace(b"    if (value", b"    // the #1 case\n    if (value", 1)}),
             "crlf": (100, every_line_ends(b"\r\n")),
@@ -124,7 +126,8 @@ class All(unittest.TestCase):
     def test_each_row_says_why(self):
         reasons = {"constructor": "changed outside of an exercise's body", "does_not_compile": "'zero' was not declared",
                    "forks": "'fork' is of the operating system", "without_header": f"{CLAMP} is missing",
-                   "leaves": "has exit: a person should look at it", "windows.zip": "has backslashes", "empty.zip": "holds no exercise file",
+                   "leaves": "has exit: a person should look at it", "windows.zip": "has backslashes",
+                   "empty.zip": "holds no exercise file",
                    "bomb.zip": "larger than 1 MiB", "traversal.zip": "points out of the archive", "link.zip": "symbolic link"}
         for name, reason in reasons.items():
             self.assertIn(reason, self.row_of(name)["remarks"], name)

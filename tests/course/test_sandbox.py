@@ -4,13 +4,14 @@ Where no sandbox is to be had, found out by trying, the same tests show what is 
 """
 
 import os
+import subprocess
 import sys
 import tempfile
 import time
 import unittest
 from pathlib import Path
 
-from course_lib.paths import BUILD
+from course_lib.paths import BUILD, ROOT
 from exercises import sandbox, verdicts
 from test_verdicts import PROLOGUE
 
@@ -94,6 +95,39 @@ class Sandbox(unittest.TestCase):
         outcome = self.run_program("os.closerange(0, 50)\nwhile True: time.sleep(1)", time_limit=1)
         self.assertEqual(outcome.state, "timed out")
         self.assertLess(time.monotonic() - start, 15)
+
+    def test_it_ends_with_the_grader(self):
+        program = self.folder / "program"
+        program.write_text(PROLOGUE.replace(sys.executable, sandbox.PYTHON) + "time.sleep(60)")
+        program.chmod(0o755)
+        grade = "import sys; from pathlib import Path; from exercises import verdicts\n" \
+                "folder = Path(sys.argv[1])\n" \
+                "verdicts.run_test(folder / 'program', 'Suite.Test', 60, 0, folder / 'scratch', sandboxed=True)"
+        grader = subprocess.Popen([sys.executable, "-c", grade, self.folder], env={**os.environ, "PYTHONPATH": str(ROOT / "tools")})
+        self.addCleanup(grader.kill)
+        # bubblewrap, the sandbox's first process and the program; the first of them alone is not bound to its parent yet.
+        self.assertTrue(self.comes_true(lambda: len(self.running() - {grader.pid}) > 2), "Does it begin?")
+        grader.kill()
+        grader.wait()
+        self.assertTrue(self.comes_true(lambda: not self.running()), "Does it go on without its grader?")
+
+    def running(self):
+        """The processes whose command line names this test's folder."""
+        found = set()
+        for path in Path("/proc").glob("[0-9]*/cmdline"):
+            try:
+                if bytes(self.folder) in path.read_bytes():
+                    found.add(int(path.parent.name))
+            except OSError:
+                pass
+        return found
+
+    @staticmethod
+    def comes_true(condition):
+        deadline = time.monotonic() + 20
+        while not condition() and time.monotonic() < deadline:
+            time.sleep(0.02)
+        return condition()
 
     def test_memory_is_limited(self):
         outcome = self.run_program("block = bytearray(2 << 30)" + PASSES, memory_limit=1024)

@@ -69,19 +69,23 @@ def run(args):
 
 
 def grade_one(args, catalogs, conditions):
-    try:
-        found = [hand_in(args.submission, catalog, args.on_reference) for catalog in catalogs]
-    except Refused as refusal:
-        write_reports(args, [worthless(catalog, REFUSED, str(refusal)) for catalog in catalogs])
-        raise
-    grades = []
-    for catalog, spliced in zip(catalogs, found):
+    """@throws Refused when a hand-in is, once the reports say so"""
+    grades, refusals = [], []
+    for catalog in catalogs:
+        try:
+            spliced = hand_in(args.submission, catalog, args.on_reference)
+        except Refused as refusal:
+            refusals.append(refusal)
+            grades.append(worthless(catalog, REFUSED, printable(str(refusal))))
+            continue
         with work_folder("grade") as folder:
             grades.append(grade_spliced(catalog, spliced, folder, conditions))
     for grade in grades:
         show(grade)
     say(f"sandbox: {sandbox_of(args)}")
     write_reports(args, grades)
+    if refusals:
+        raise refusals[0]
     return 0
 
 
@@ -161,11 +165,8 @@ def hand_in(submission, catalog, on_reference, root=ROOT):
 def show(grade):
     say()
     say(reports.grade_table(grade))
-    if grade.error:
-        say(f"did not build: {grade.error}")
-        say(grade.excerpt)
-    for note in grade.notes:
-        say(printable(f"note: {note}"))
+    for line in reports.errors_and_notes(grade):
+        say(printable(line))
     for look in grade.looks:
         say(printable(f"look: {look}"))
     say(reports.summary(grade))

@@ -25,22 +25,27 @@ RAW_PREFIXES = ("R", "u8R", "uR", "UR", "LR")
 # Reserved for the compiler and its library; honest bodies need these of them at most.
 RESERVED = re.compile(r"__|_[A-Z]")
 RESERVED_BUT_FINE = re.compile(
-    r"__builtin_(clz|ctz|ffs|popcount|parity|bswap\d+|expect|fabs|sqrt|fma|huge_val|inf|nan|isnan|isinf|isfinite|signbit)(l|ll|f)?"
-    r"|__(func|FUNCTION|PRETTY_FUNCTION)__|__restrict(__)?|__(u?int128)(_t)?|__cplusplus|__(FILE|LINE)__")
+    r"__builtin_(clz|ctz|ffs|popcount|parity|bswap\d+|expect|fabs|sqrt|fma|huge_val|inf|nan|isnan|isinf|isfinite|signbit)"
+    r"(l|ll|f)?|__(func|FUNCTION|PRETTY_FUNCTION)__|__restrict(__)?|__(u?int128)(_t)?|__cplusplus|__(FILE|LINE)__")
 
 TEST_KIT = re.compile(r"(EXPECT|ASSERT|GTEST|TEST|TYPED_TEST|ADD_FAILURE)(_\w+)?|FAIL|SUCCEED|SCOPED_TRACE|RUN_ALL_TESTS"
                       r"|testing|gtest|gmock|UnitTest|TestInfo|TestPartResult\w*|TestEventListeners?|VerdictChannel"
                       r"|takeVerdictChannel|runForVerdict")
 SYSTEM = re.compile(
-    r"syscall|system|read|write|_fileno|v?fork|forkpty|clone3?|unshare|setns|exec(l|le|lp|v|ve|vp|vpe|veat)|fexecve|posix_\w+|p(open|close)"
-    r"|dl(m?open|v?sym|addr|info|close|_iterate_phdr)|ptrace|process_vm_\w+|prctl|seccomp|bpf|mmap\d*|munmap|mprotect|mremap|memfd_create|shm\w*|sem_\w+"
+    r"syscall|system|read|write|_fileno|v?fork|forkpty|clone3?|unshare|setns|exec(l|le|lp|v|ve|vp|vpe|veat)|fexecve"
+    r"|posix_\w+|p(open|close)|dl(m?open|v?sym|addr|info|close|_iterate_phdr)|ptrace|process_vm_\w+|prctl|seccomp|bpf"
+    r"|mmap\d*|munmap|mprotect|mremap|memfd_create|shm\w*|sem_\w+"
     r"|(secure_)?getenv|(un)?setenv|putenv|clearenv|environ|program_invocation\w*"
-    r"|kill|killpg|tgkill|tkill|raise|sigaction|sigqueue|sigprocmask|siginterrupt|getppid|getpid|gettid|setsid|setpgid|setpgrp|daemon"
-    r"|setrlimit|prlimit|set[eres]*[ug]id|chroot|pivot_root|mount|umount2?"
-    r"|pthread_\w+|thrd_\w+|jthread|async|timer_\w+|setitimer|aio_\w+|lio_listio|mq_\w+|at_quick_exit|atexit|on_exit|set_terminate|set_new_handler|[_]?(sig)?(long|set)jmp|[gs]etcontext|makecontext|swapcontext"
-    r"|fopen(64)?|fdopen|freopen(64)?|fileno|tmpfile(64)?|mkstemp\w*|FILE|[io]?fstream|w[io]?fstream|basic_[io]?fstream|w?filebuf|basic_filebuf|stdio_filebuf"
+    r"|kill|killpg|tgkill|tkill|raise|sigaction|sigqueue|sigprocmask|siginterrupt|getppid|getpid|gettid"
+    r"|setsid|setpgid|setpgrp|daemon|setrlimit|prlimit|set[eres]*[ug]id|chroot|pivot_root|mount|umount2?"
+    r"|pthread_\w+|thrd_\w+|jthread|async|timer_\w+|setitimer|aio_\w+|lio_listio|mq_\w+"
+    r"|at_quick_exit|atexit|on_exit|set_terminate|set_new_handler"
+    r"|[_]?(sig)?(long|set)jmp|[gs]etcontext|makecontext|swapcontext"
+    r"|fopen(64)?|fdopen|freopen(64)?|fileno|tmpfile(64)?|mkstemp\w*|FILE"
+    r"|w?[io]?fstream|basic_[io]?fstream|w?filebuf|basic_filebuf|stdio_filebuf"
     r"|filesystem|opendir|readdir|scandir|nftw|readlink|symlink|unlink|mkfifo|mknod|chmod|chown|fcntl|ioctl|openat2?|creat"
-    r"|pwrite\w*|pread\w*|writev|readv|vmsplice|splice|sendfile|sendto|sendmsg|recv(from|msg)?|socket(pair)?|dup[23]?|pipe2|eventfd|io_uring\w*")
+    r"|pwrite\w*|pread\w*|writev|readv|vmsplice|splice|sendfile|sendto|sendmsg|recv(from|msg)?|socket(pair)?"
+    r"|dup[23]?|pipe2|eventfd|io_uring\w*")
 # Words that a body may well use for its own things: they are refused as functions of the system only.
 SYSTEM_CALLS = frozenset("open send pipe thread signal alarm waitpid".split())
 OPERATORS = frozenset("and or xor bitand bitor not_eq and_eq or_eq xor_eq".split())
@@ -53,7 +58,8 @@ LANGUAGE = {
 HIDDEN_FILES = re.compile(r"/(proc|dev|sys)\b")
 
 # Nothing is wrong with these, but a body that attacks the test around it could hardly do without.
-WORTH_A_LOOK = frozenset("reinterpret_cast const_cast bit_cast uintptr_t intptr_t union exit quick_exit _exit abort launder".split())
+WORTH_A_LOOK = frozenset(
+    "reinterpret_cast const_cast bit_cast uintptr_t intptr_t union exit quick_exit _exit abort launder".split())
 
 
 @dataclass(frozen=True)
@@ -168,7 +174,7 @@ def reason_against(word, before, after):
     is_member = before in (".", "->") and text != "_fileno"
     is_used = after in ("(", "<") or before in ("::", "&") or (after.isidentifier() and after not in OPERATORS)
     if not is_member and (SYSTEM.fullmatch(text) or (text in SYSTEM_CALLS and is_used)):
-        return f"'{text}' is of the operating system"
+        return f"'{text}' is of the operating system (call it something else, if it is yours)"
     return ""
 
 

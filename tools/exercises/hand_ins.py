@@ -9,10 +9,14 @@ from pathlib import Path
 from course_lib.errors import CourseError
 from course_lib.paths import ROOT, cores
 from course_lib.terminal import Step, printable
+from exercises.building import PRESET, build_tree
 from exercises.grading import grade_spliced, worthless
 from exercises.submission import Refused
-from exercises.trees import work_folder
+from exercises.trees import files_to_build, lay_out, starter_overlay, work_folder
 from exercises.verdicts import REFUSED
+
+TOP = "common"  # what the top of a student's tree has
+MOST_WRAPPINGS = 4
 
 
 @dataclass
@@ -49,6 +53,19 @@ def is_hand_in(path):
     return stat.S_ISDIR(mode) or (stat.S_ISREG(mode) and path.suffix.lower() == ".zip")
 
 
+def unwrapped(path):
+    """A hand-in without the folders that a learning platform, or a student, put around it: a folder in which there is
+    nothing but a ZIP file or one more folder."""
+    for _ in range(MOST_WRAPPINGS):
+        if not path.is_dir():
+            break
+        inside = [place for place in path.iterdir() if not place.name.startswith(".")]
+        if len(inside) != 1 or inside[0].name == TOP or not is_hand_in(inside[0]):
+            break
+        path = inside[0]
+    return path
+
+
 def grade_all(paths, catalogs, read, conditions, root=ROOT):
     """Grades each hand-in on its own: [HandIn], in the order of `paths`.
 
@@ -81,12 +98,29 @@ def graded(path, catalogs, read, place, conditions, root):
     hand_in = HandIn(printable(path.name))
     try:
         for catalog in catalogs:
-            spliced = read(path, catalog)
-            chapter = place / catalog.chapter
-            chapter.mkdir(parents=True, exist_ok=True)
-            hand_in.grades.append(grade_spliced(catalog, spliced, chapter, conditions, root))
-    except Refused as refusal:
-        hand_in.grades = [worthless(catalog, REFUSED, printable(str(refusal))) for catalog in catalogs]
+            hand_in.grades.append(grade_chapter(unwrapped(path), catalog, read, place / catalog.chapter, conditions, root))
     except (CourseError, OSError) as error:
         hand_in.grades, hand_in.error = [], printable(str(error))
     return hand_in
+
+
+def grade_chapter(path, catalog, read, folder, conditions, root):
+    try:
+        spliced = read(path, catalog)
+    except Refused as refusal:
+        return worthless(catalog, REFUSED, printable(str(refusal)))
+    prepare(catalog, folder / "tree", conditions, root)
+    return grade_spliced(catalog, spliced, folder, conditions, root)
+
+
+def prepare(catalog, tree, conditions, root):
+    """Builds a chapter with stubs where it is not built yet, so that no hand-in's time is spent on what is ours.
+
+    @throws CourseError when that does not build, which is no student's fault
+    """
+    if (tree / "build" / PRESET).exists():
+        return
+    lay_out(tree, files_to_build(root), starter_overlay(root), root)
+    built = build_tree(tree, [catalog.target], "", sandboxed=conditions.sandboxed, jobs=conditions.jobs)
+    if built.error:
+        raise CourseError(f"{catalog.chapter} does not build with stubs: {built.error}")

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from course_lib.errors import CourseError
 from course_lib.terminal import count, table
-from exercises.verdicts import CRASHED, FAILED, NOT_IMPLEMENTED, TIMED_OUT
+from exercises.verdicts import CRASHED, FAILED, NOT_BUILT, NOT_IMPLEMENTED, REFUSED, TIMED_OUT
 
 MOST_REASON = 96
 # What XML 1.0 cannot hold, not even escaped.
@@ -117,7 +117,9 @@ def to_gradescope(grades, sandbox):
 
 
 def errors_and_notes(grade):
-    return ([f"did not build: {grade.error}", grade.excerpt] if grade.error else []) + [f"note: {n}" for n in grade.notes]
+    refused = all(o.outcome.state == REFUSED for o in grade.outcomes)
+    error = f"{REFUSED if refused else NOT_BUILT}: {grade.error}"
+    return ([line for line in (error, grade.excerpt) if line] if grade.error else []) + [f"note: {n}" for n in grade.notes]
 
 
 def to_junit(grades, sandbox):
