@@ -2,6 +2,7 @@
 
 import json
 import math
+import re
 import tempfile
 import unittest
 from pathlib import Path
@@ -122,12 +123,16 @@ class Search(SmallTree):
     def test_a_text_is_found_by_each_longer_word_without_accents(self):
         self.assertEqual(keys("01 Bézier curves of x"), ["01 bezier curves of x", "bezier curves of x", "curves of x"])
 
+    def test_chinese_is_found_from_each_character(self):
+        self.assertEqual(keys("08 光子"), ["08 光子", "光子", "子"])
+
     def test_entries_are_as_doxygens(self):
         self.assertEqual(entry("a b", 3, "It's", "x.html#y", "Page"), "  ['a_20b_p3',['It&#x27;s',['../x.html#y',1,'Page']]],\n")
 
     def make_search(self, script):
         self.write("html/search/search.js", script)
         self.write("html/search/searchdata.js", 'var indexSectionsWithContent =\n{\n  0: "acr",\n  1: "c"\n};\n')
+        self.write("html/search/all_0.html", '<script src="all_0.js">')
         for index in range(3):
             self.write(f"html/search/all_{index}.js", "var searchData=\n[\n  ['curve_0',['Curve',['../c.html',1,'']]]\n];\n")
 
@@ -138,6 +143,16 @@ class Search(SmallTree):
         places = [data.index(text) for text in ("../chapter_01_curves.html'", "../glossary.html#glossary-curves'", "../c.html")]
         self.assertEqual(places, sorted(places))
         self.assertIn('normalize("NFD")', (self.root / "html/search/search.js").read_text())
+
+    def test_letters_that_doxygen_has_not_are_added(self):
+        self.make_search('x = this.DOMSearchField().value.replace(/^ +/, "");')
+        self.write("README.zh.md", "# 光\n")
+        put_lessons_first(Tree(self.root), self.root / "html")
+        letters = re.search('0: "(.*)"', (self.root / "html/search/searchdata.js").read_text(encoding="utf-8"))[1]
+        self.assertEqual(letters[:3] + letters[-1], "acr光")
+        last = f"all_{len(letters) - 1:x}"
+        self.assertIn("['光_p", (self.root / f"html/search/{last}.js").read_text(encoding="utf-8"))
+        self.assertEqual((self.root / f"html/search/{last}.html").read_text(), f'<script src="{last}.js">')
 
     def test_another_doxygens_search_is_an_error(self):
         self.make_search("other")

@@ -227,6 +227,7 @@ class Site(unittest.TestCase):
                 self.assertIn("classcaustic_1_1BezierCurve.html", found)
         self.assertEqual(self.found("photon")[0], "chapter_08_photon_mapping.html")
         self.assertEqual(self.found("BezierCurve")[-1], "classcaustic_1_1BezierCurve.html")
+        self.assertEqual(self.found("光子")[0], "zh_chapter_08_photon_mapping.html")
 
     def test_works_from_another_folder(self):
         moved = BUILD / "site" / "moved"

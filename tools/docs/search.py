@@ -1,4 +1,7 @@
-"""Doxygen's search, mended: lessons and headings are found by any of their words, before classes, with and without accents."""
+"""Doxygen's search, mended: lessons and headings are found by any of their words, before classes, with and without accents.
+
+Chinese has no spaces between words; there a text is found from each of its characters on.
+"""
 
 import html
 import re
@@ -13,7 +16,8 @@ LEAST_LETTERS = 3
 TYPED = ('this.DOMSearchField().value.replace(/^ +/, "")',
          'this.DOMSearchField().value.replace(/^ +/, "").normalize("NFD").replace(/[\\u0300-\\u036f]/g, "")')
 SECTIONS = re.compile(r'(0: ")([^"]*)(")')
-DATA = "var searchData=\n[\n"
+DATA, DATA_END = "var searchData=\n[\n", "];\n"
+CHINESE_CHARACTER = r"[\u3400-\u9fff]"
 
 
 def put_lessons_first(tree, folder):
@@ -26,6 +30,7 @@ def put_lessons_first(tree, folder):
     for place, (text, url, scope) in enumerate(named):
         for key in keys(text):
             entries.setdefault(key[0], []).append(entry(key, place, text, url, scope))
+    letters = with_more_letters(search, letters, sorted(filter(str.isalnum, set(entries) - set(letters))))
     for letter, lines in entries.items():
         if letter in letters:
             prepend(search / f"all_{letters.index(letter):x}.js", lines)
@@ -38,6 +43,19 @@ def mended_script(search):
         raise CourseError("this Doxygen's search.js is another one; see tools/docs/search.py")
     (search / "search.js").write_text(script.replace(*TYPED), encoding="utf-8")
     return SECTIONS.search((search / "searchdata.js").read_text(encoding="utf-8"))[2]
+
+
+def with_more_letters(search, letters, more):
+    """Gives the search empty data for first letters that Doxygen found nothing for; returns all letters."""
+    page = (search / "all_0.html").read_text(encoding="utf-8")
+    for index, _ in enumerate(more, start=len(letters)):
+        (search / f"all_{index:x}.js").write_text(DATA + DATA_END, encoding="utf-8")
+        (search / f"all_{index:x}.html").write_text(page.replace("all_0.js", f"all_{index:x}.js"), encoding="utf-8")
+    data = search / "searchdata.js"
+    letters += "".join(more)
+    data.write_text(SECTIONS.sub(lambda section: section[1] + letters + section[3], data.read_text(encoding="utf-8"), count=1),
+                    encoding="utf-8")
+    return letters
 
 
 def headings_of(tree, page):
@@ -54,8 +72,9 @@ def plain(text):
 def keys(text):
     """What finds a text: itself without accents in small letters, from its start and from each longer word on."""
     folded = "".join(letter for letter in unicodedata.normalize("NFD", text.lower()) if not unicodedata.combining(letter))
-    starts = [0] + [word.start() for word in re.finditer(r"\w+", folded) if len(word[0]) >= LEAST_LETTERS and word.start() > 0]
-    return [folded[start:] for start in starts if folded[start:start + 1].strip()]
+    words = [word.start() for word in re.finditer(r"\w+", folded) if len(word[0]) >= LEAST_LETTERS]
+    starts = {0, *words, *(character.start() for character in re.finditer(CHINESE_CHARACTER, folded))}
+    return [folded[start:] for start in sorted(starts) if folded[start:start + 1].strip()]
 
 
 def entry(key, place, text, url, scope):

@@ -23,7 +23,7 @@ STARTER = f"{FOLDER}/starter"
 STATE = f"{FOLDER}/state.json"
 UNDO = f"{FOLDER}/undo"
 # Neither is of use to a student: tests of the course's own machinery.
-LEFT_OUT = ("tests/course/", ".ci/")
+LEFT_OUT = ("tests/course/", ".ci/", ".pre-commit-config.yaml")
 MOST_RESULTS = 20  # of a chapter, the newest
 
 
