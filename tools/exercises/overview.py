@@ -103,7 +103,8 @@ def row(number, hand_in, catalogs):
 
 
 def section(number, hand_in):
-    lines = [f'<details id="h{number}"><summary>{html.escape(hand_in.name)}</summary>']
+    # The place that the table links to lies inside, so that a browser opens what is closed around it.
+    lines = [f'<details><summary>{html.escape(hand_in.name)}</summary>', f'<div id="h{number}">']
     if hand_in.error:
         lines.append(f"<p>not graded: {html.escape(hand_in.error)}</p>")
     for grade in hand_in.grades:
@@ -111,7 +112,7 @@ def section(number, hand_in):
         lines += [f"<pre>{html.escape(text)}</pre>" for text in errors_and_notes(grade) if text]
         lines += [f'<p class="look">look: {html.escape(look)}</p>' for look in grade.looks]
         lines += ["<table>", *map(test_row, grade.outcomes), "</table>"]
-    return "\n".join([*lines, "</details>"])
+    return "\n".join([*lines, "</div></details>"])
 
 
 def test_row(graded):
