@@ -39,8 +39,10 @@ class Inputs(unittest.TestCase):
     FILES = {"tools/tool.py": "", "cmake/Caustic.cmake": "", "common/image/image.cpp": "", "common/tree/tree.cpp": "",
              "chapters/01_curves/chart.gp": "", "chapters/04_tree/chart.gp": "", "tests/01_curves/graded_a.cpp": "",
              "tests/04_tree/graded_b.cpp": "", "tests/course/test_gates.py": "", "assets/cup.svg": "", "README.md": "",
-             "figures/01_curves/cup.png": "", "build/release/bin/graded_01": "", "build/release/bin/01_curves": ""}
+             "figures/01_curves/cup.png": "", "build/release/bin/graded_01": "", "build/release/bin/01_curves": "",
+             "build/release/bin/curves_ranks": ""}
     TAGS = {"common/image/image.cpp": {"chapter": 1, "topic": "image"}, "common/tree/tree.cpp": {"chapter": 4, "topic": "tree"}}
+    PROGRAMS = {"01_curves": ["01_curves", "curves_ranks"], "04_tree": ["04_tree"]}
     COURSE = {"gates_01": (), "gates_04": (), "chapters_01": (), "strip": ()}
 
     def setUp(self):
@@ -53,8 +55,7 @@ class Inputs(unittest.TestCase):
         for module, name, value in (
                 (checks, "source_files", lambda root=None: sources),
                 (checks, "files_to_build", lambda root=None: [n for n in sources if not n.startswith(("figures/", "tests/course/"))]),
-                (checks, "declarations", lambda: {"files": self.TAGS}),
-                (checks, "all_chapters", lambda: ["01_curves", "04_tree"]),
+                (checks, "declarations", lambda preset="release": {"files": self.TAGS, "programs": self.PROGRAMS}),
                 (checks, "program", lambda name, preset: self.root / "build" / preset / "bin" / name),
                 (green, "toolchain", lambda: self.installed)):
             patch = mock.patch.object(module, name, value)
@@ -98,7 +99,8 @@ class Inputs(unittest.TestCase):
                 "chapters/01_curves/chart.gp": {"strip", "gates_01", "gates_04", "chapters_01", "01.graded"},
                 "assets/cup.svg": {"strip", "gates_01", "gates_04", "chapters_01", "01.graded"},
                 "build/release/bin/graded_01": {"01.graded"},
-                "build/release/bin/01_curves": {"chapters_01", "01.graded"}}.items():
+                "build/release/bin/01_curves": {"chapters_01", "01.graded"},
+                "build/release/bin/curves_ranks": {"chapters_01", "01.graded"}}.items():
             self.assertEqual(self.due_after(name), due, name)
 
     def test_another_compiler_makes_everything_due(self):
