@@ -9,5 +9,5 @@ set format xy "10^{%L}"
 set xlabel "time, s of one thread: photons, map and eye together"
 set ylabel "error of the radiance, rms"
 set grid xtics ytics
-set key at graph 0.02,0.03 left bottom Left reverse opaque noenhanced
+set key at graph 0.98,0.97 right top Left reverse opaque noenhanced
 plot for [m=1:6] file using (strcol(1) eq methods[m] ? $3 : NaN):5 with linespoints lt m lw 2.2 ps 1.4 title methods[m]
