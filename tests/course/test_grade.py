@@ -2,26 +2,21 @@
 
 import json
 import os
-import tempfile
 import unittest
-from pathlib import Path
 from unittest import mock
 
 from exercises.reports import write_file
 from exercises.trees import starter_overlay
 from schema_check import json_errors, read, xml_errors
-from toy_course import course, grade, make_toy, outcomes, where, write_body
+from toy_course import ToyCase, course, grade, outcomes, where, write_body
 
 SUMS, CLAMP, PRODUCTS = "common/math/sums.cpp", "common/math/clamp.h", "common/math/products.cpp"
 
 
-class Grade(unittest.TestCase):
+class Grade(ToyCase):
     @classmethod
     def setUpClass(cls):
-        folder = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(folder.cleanup)
-        cls.top = Path(folder.name)
-        cls.toy = make_toy(cls.top / "toy")
+        super().setUpClass()
         cls.starter = starter_overlay(cls.toy)
 
     def submission(self, name, files):

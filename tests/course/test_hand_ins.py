@@ -12,7 +12,7 @@ from pathlib import Path
 from course_lib.errors import CourseError
 from exercises import hand_ins, overview
 from exercises.trees import source_files, starter_overlay
-from toy_course import course, make_toy, where
+from toy_course import ToyCase, course, where
 
 SUMS, CLAMP = "common/math/sums.cpp", "common/math/clamp.h"
 TOTAL, LARGEST, MEAN = 40, 30, 20  # points of the exercises of sums.cpp; clamp.h has the other 10
@@ -31,13 +31,10 @@ def linked(entry):
     return entry
 
 
-class All(unittest.TestCase):
+class All(ToyCase):
     @classmethod
     def setUpClass(cls):
-        folder = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(folder.cleanup)
-        cls.top = Path(folder.name)
-        cls.toy = make_toy(cls.top / "toy")
+        super().setUpClass()
         cls.before = cls.state_of_the_tree()
         cls.folder = cls.top / "handed_in"
         cls.folder.mkdir()

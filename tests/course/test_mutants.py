@@ -1,24 +1,20 @@
 """./course mutants: every mistake tried, every kind of bad patch and of weak test named."""
 
-import tempfile
 import unittest
-from pathlib import Path
 
 from course_lib.errors import CourseError
 from exercises.catalog import read_catalog
 from exercises.mistakes import Mistake, MistakeResult, complaints, read_mistakes
-from toy_course import course, make_toy
+from toy_course import ToyCase, course
 
 TOTAL, LARGEST, MEAN, CLAMP = ("Sums.TotalAddsAllValues", "Sums.LargestIsTheLargest", "Sums.MeanIsTotalOverCount",
                                "Clamp.StaysWithinBounds")
 
 
-class ToyTest(unittest.TestCase):
+class ToyTest(ToyCase):
     @classmethod
     def setUpClass(cls):
-        folder = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(folder.cleanup)
-        cls.toy = make_toy(Path(folder.name) / "toy")
+        super().setUpClass()
         cls.mistakes = cls.toy / "tests/01_first/mistakes"
 
     def change(self, path, old, new):

@@ -3,9 +3,7 @@
 import csv
 import re
 import shutil
-import tempfile
 import unittest
-from pathlib import Path
 
 import strip
 from course_lib.paths import ROOT
@@ -13,7 +11,7 @@ from docs.builder import Builder
 from exercises.catalog import read_catalog
 from exercises.trees import source_files
 from schema_check import json_errors
-from toy_course import REAL, course, grade, make_toy, outcomes
+from toy_course import REAL, ToyCase, course, grade, outcomes
 
 CHAPTER = "03_rules_of_area"
 SUPPORT = ("paths.h", "failure_checks.h", "failure_checks.cpp")
@@ -30,12 +28,10 @@ FRONT_PAGE = "# Toy\n\n| | chapter |\n| --- | --- |\n| 01 | [First](x) |\n| 02 |
 SPEAK_OF_IT = ("tools/templates/", "tools/commands/new_chapter.py", "tests/course/test_new_chapter.py", "CONTRIBUTING.md")
 
 
-class NewChapter(unittest.TestCase):
+class NewChapter(ToyCase):
     @classmethod
     def setUpClass(cls):
-        folder = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(folder.cleanup)
-        cls.toy = make_toy(Path(folder.name) / "toy")
+        super().setUpClass()
         for name in SUPPORT:
             shutil.copy2(REAL / "tests/support" / name, cls.toy / "tests/support" / name)
         cmake = cls.toy / "tests/support/CMakeLists.txt"

@@ -3,27 +3,22 @@
 import json
 import shutil
 import subprocess
-import tempfile
 import unittest
 import zipfile
-from pathlib import Path
 
 import strip
-from toy_course import course, make_toy, outcomes, reference_body, solve, where, write_body
+from toy_course import ToyCase, course, outcomes, reference_body, solve, where, write_body
 
 SUMS = "common/math/sums.cpp"
 BODIES = ("sum += value", "most = value > most", "total(values) / static_cast", "return value > high", "*= weights[i]")
 
 
-class Loop(unittest.TestCase):
+class Loop(ToyCase):
     """Trees are shared: each test starts from the files and memory of the untouched one, with its build."""
 
     @classmethod
     def setUpClass(cls):
-        folder = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(folder.cleanup)
-        cls.top = Path(folder.name)
-        cls.toy = make_toy(cls.top / "toy")
+        super().setUpClass()
         cls.draw_reference_figures()
         cls.tree = cls.top / "student"
         cls.started = course(cls.toy, "start", cls.tree)

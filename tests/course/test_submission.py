@@ -13,17 +13,15 @@ from pathlib import Path
 from course_lib.errors import CourseError
 from exercises import submission
 from exercises.trees import starter_overlay
-from toy_course import make_toy
+from toy_course import ToyCase
 
 SUMS, CLAMP, PRODUCTS = "common/math/sums.cpp", "common/math/clamp.h", "common/math/products.cpp"
 
 
-class Submissions(unittest.TestCase):
+class Submissions(ToyCase):
     @classmethod
     def setUpClass(cls):
-        folder = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(folder.cleanup)
-        cls.toy = make_toy(Path(folder.name) / "toy")
+        super().setUpClass()
         cls.sums = (cls.toy / SUMS).read_bytes()
         cls.clamp = (cls.toy / CLAMP).read_bytes()
         cls.products = (cls.toy / PRODUCTS).read_bytes()

@@ -4,6 +4,8 @@ import json
 import shutil
 import subprocess
 import sys
+import tempfile
+import unittest
 from pathlib import Path
 
 import strip
@@ -25,6 +27,17 @@ def make_toy(folder):
         else:
             shutil.copy2(source, target)
     return folder
+
+
+class ToyCase(unittest.TestCase):
+    """Tests of one toy course: cls.toy, in a folder cls.top that goes with them."""
+
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.top = Path(folder.name)
+        cls.toy = make_toy(cls.top / "toy")
 
 
 def course(tree, *words):
