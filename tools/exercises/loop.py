@@ -76,6 +76,7 @@ def grade_here(catalog, time_limit=None, root=ROOT):
 
     Builds in this tree when all of its files counts, else beside it, with what counts.
     """
+    student.require_whole(root)
     ensure_packages("build")
     spliced = own_bodies(catalog.number, root) if student.is_student_tree(root) else Spliced()
     grade = None

@@ -1,7 +1,8 @@
 """A student's tree: how it is made, and what it remembers.
 
 .course/student.json says that a tree is a student's and which chapter it starts with; .course/starter/ holds the files
-with exercises as they were; .course/state.json (not tracked) remembers hints and the results of checks.
+with exercises as they were, .course/files.json the hash of every file; .course/state.json (not tracked) remembers hints
+and the results of checks.
 """
 
 import hashlib
@@ -22,6 +23,9 @@ STUDENT = f"{FOLDER}/student.json"
 STARTER = f"{FOLDER}/starter"
 STATE = f"{FOLDER}/state.json"
 UNDO = f"{FOLDER}/undo"
+ASIDE = f"{FOLDER}/aside"
+FILES = f"{FOLDER}/files.json"
+UPDATE = f"{FOLDER}/update"  # an update on its way
 # Neither is of use to a student: tests of the course's own machinery.
 LEFT_OUT = ("tests/course/", ".ci/", ".pre-commit-config.yaml")
 MOST_RESULTS = 20  # of a chapter, the newest
@@ -44,6 +48,12 @@ def first_chapter(root=ROOT):
 def require_student_tree(root=ROOT):
     if not is_student_tree(root):
         raise CourseError("this is the course's own tree, not a student's; make one: ./course start ../student")
+
+
+def require_whole(root=ROOT):
+    """@throws CourseError while a half of an update is done"""
+    if (root / UPDATE / "plan.json").exists():
+        raise CourseError("an update was interrupted, and a half of the tree is new; ./course update finishes it")
 
 
 def starter_text(path, root=ROOT):
@@ -71,8 +81,9 @@ def make(folder, first, root=ROOT):
     overlay = starter_overlay(root, lambda exercise: int(exercise.chapter) >= first)
     if not overlay:
         raise CourseError(f"chapters from {first:02} on have no exercises yet; choose an earlier one with --chapter")
+    given = {}
     for name in source_files(root):
-        if name.startswith(LEFT_OUT) or shows_later_solution(name, first):
+        if name.startswith((*LEFT_OUT, f"{FOLDER}/")) or shows_later_solution(name, first):
             continue
         target = folder / name
         target.parent.mkdir(parents=True, exist_ok=True)
@@ -81,13 +92,27 @@ def make(folder, first, root=ROOT):
             shutil.copymode(root / name, target)
         else:
             shutil.copy2(root / name, target)
+        given[name] = file_hash(target)
     for name, content in overlay.items():
         place = folder / STARTER / name
         place.parent.mkdir(parents=True, exist_ok=True)
         place.write_bytes(content)
     (folder / STUDENT).write_text(json.dumps({"firstChapter": first, "course": commit(root)}, indent=2) + "\n")
-    (folder / FOLDER / ".gitignore").write_text("state.json\nundo/\n")
+    (folder / FILES).write_text(json.dumps(given, indent=0, sort_keys=True) + "\n")
+    (folder / FOLDER / ".gitignore").write_text("state.json\nundo/\nupdate/\n")
     return len(exercises_of_tree(folder / STARTER))
+
+
+def given_files(root=ROOT):
+    """path -> hash of every file, as the student got it."""
+    try:
+        return dict(json.loads((root / FILES).read_text()))
+    except (OSError, ValueError, TypeError):
+        raise CourseError(f"{FILES} is missing or damaged; restore it with git, or start anew with ./course start") from None
+
+
+def file_hash(path):
+    return hashlib.sha256(path.read_bytes()).hexdigest()
 
 
 def shows_later_solution(name, first):
