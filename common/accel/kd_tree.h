@@ -35,7 +35,7 @@ struct KdRay {
 /// the cells that it passes through, the nearest cell first.
 ///
 /// The tree knows its items by their numbers; whoever asks tests them. Trees may hold trees.
-/// Source: Havran 2000, Heuristic Ray Shooting Algorithms. Tests: tests/04_kd_tree/property_kd_tree.cpp.
+/// Source: Havran 2000, Heuristic Ray Shooting Algorithms. Tests: tests/04_kd_tree/property_mesh_trees.cpp.
 class KdTree {
 public:
     /// @param boxes  a finite one for each item; no boxes make a tree that no ray meets

@@ -39,7 +39,9 @@ public:
     /// of B'(s) for s -> t from above (at t >= 1 from below). Nothing for a curve that is a single point.
     std::optional<Vec3> tangent(Real t) const;
 
-    /// The curve on [0, t] and the curve on [t, 1], each over its own parameter from 0 to 1. Any finite t.
+    /// The curve on [0, t] and the curve on [t, 1], each over its own parameter from 0 to 1 and of the same degree. Any
+    /// finite t: outside [0, 1] one of them goes beyond this curve. The first part ends at the very point, bit for bit,
+    /// with which the second one begins.
     std::pair<BezierCurve, BezierCurve> split(Real t) const;
 
     /// De Casteljau's triangle: level r has the n + 1 - r points that r rounds of interpolation leave, so the first

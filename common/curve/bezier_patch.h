@@ -32,7 +32,9 @@ public:
     /// out. Any finite parameters; outside [0, 1]² the polynomial goes on.
     SurfaceJet evaluate(Real u, Real v) const;
 
-    /// The patch on v in [0, t] and on [t, 1], each over its own parameter from 0 to 1.
+    /// The patch on v in [0, t] and on [t, 1], each over its own parameter from 0 to 1 and of the same degrees. Any
+    /// finite t. Along the cut both have the very same points, bit for bit: a crack of one rounding lets rays
+    /// through.
     std::pair<BezierPatch, BezierPatch> splitV(Real t) const;
 
     /// The box of the control points, which holds the patch on [0, 1]².

@@ -6,7 +6,9 @@
 namespace caustic {
 
 /// Bounding box of the curve on [0, 1] the report's way: for each axis evenly spaced samples, brackets where the
-/// samples turn (and at both ends), and a ternary search for the extremum inside each bracket.
+/// samples turn (and at both ends), and a ternary search for the extremum inside each bracket, until rounding ends it.
+/// For a maximum, a bracket reaches from the sample before to the sample after one that is not lower than either; equal
+/// neighbours count, and a sample at an end has one neighbour only.
 ///
 /// Never larger than the true box but for rounding. It can be too small: a pair of extrema between two neighbouring
 /// samples goes unseen. exactBounds() misses nothing.

@@ -6,7 +6,8 @@
 
 namespace caustic {
 
-/// The t between tMin and tMax at which a ray is in a closed box; empty when it never is.
+/// The t between tMin and tMax, both included, at which a ray is in a closed box; an empty interval when it never is.
+/// No t is infinite: with tMax = ∞ the interval ends at the largest finite number at the latest.
 ///
 /// Right for every direction, components 0 and -0 included, wherever the origin is: in a face, an edge or a corner too,
 /// where 0 · ∞ lurks. A ray within a face is in the box. The box may be flat or infinite.

@@ -11,7 +11,8 @@ inline constexpr Real surfaceOffset = 0x1p-42;
 
 /// The one rule for leaving a surface: the point, moved along ng to the side that `direction` goes to, by surfaceOffset
 /// times the magnitude. A tangent direction counts as outside.
-/// @param magnitude  at least the point's own
+/// @param direction  of any length
+/// @param magnitude  in proportion to which the point is moved; at least the point's own
 Vec3 offsetPoint(const SurfacePoint& from, const Vec3& direction, Real magnitude);
 
 /// A ray that leaves the surface in a direction (of any length, to either side) and does not meet it where it started.

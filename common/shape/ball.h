@@ -9,15 +9,17 @@
 
 namespace caustic {
 
-/// The t for which the line t · direction is in a ball; empty when it never is. In the plane the ball is a disc: that
+/// The t for which the line t · direction is in a closed ball, t of either sign. In the plane the ball is a disc: that
 /// is a cylinder seen along its axis, and a zero direction (a line along the axis) is in it always or never.
 ///
 /// The report's projection: the centre's foot on the line, then Pythagoras from there. The distance from the foot is
 /// measured as a vector; as a difference of squares it would lose all its digits to a far ball (chapter 02's chart).
 /// Source: Haines, Günther, Akenine-Möller 2019, Precision Improvements for Ray/Sphere Intersection, Ray Tracing
 /// Gems 7.
-/// @param toCenter  from the line's point t = 0 to the centre
-/// @param radius    greater than zero
+/// @param toCenter   from the line's point t = 0 to the centre
+/// @param direction  of any length, in which t counts; it may be zero
+/// @param radius     greater than zero
+/// @return {∞, −∞}, which is empty, when the line misses the ball; {−∞, ∞} when it is always in it
 template <typename Scalar, int Dimension>
 BasicInterval<Scalar> ballInterval(const Eigen::Matrix<Scalar, Dimension, 1>& toCenter,
                                    const Eigen::Matrix<Scalar, Dimension, 1>& direction, Scalar radius) {

@@ -45,7 +45,9 @@ public:
     /// @throws InputError otherwise
     RingCylinder(Real innerRadius, Real outerRadius, Real bottom, Real top);
 
-    /// The pieces of the ray's whole line, tMin and tMax aside, that are within the solid.
+    /// The pieces of the ray's whole line, tMin and tMax aside, that are within the solid. Bottom, top and outer
+    /// wall belong to it, the inner wall to the hole: a line along that is in the hole. t counts in lengths of the
+    /// direction.
     Spans spans(const Ray& ray) const;
 
     std::optional<Hit> intersect(const Ray& ray) const override;

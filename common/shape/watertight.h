@@ -30,7 +30,9 @@ struct ShearedRay {
 /// Needs -ffp-contract=off: a fused product would break the antisymmetry.
 /// Source: Woop, Benthin, Wald 2013, Watertight Ray/Triangle Intersection, JCGT 2(1); the remainders by std::fma
 /// replace the paper's fall-back to double.
-/// @return nothing for a miss or a triangle seen edge-on
+/// Both sides of the triangle count. No triangle is too small.
+/// @return nothing for a miss, a t that the ray doesn't reach, or a triangle seen edge-on: one whose three numbers sum
+///         to 0
 std::optional<TriangleHit> intersectWatertight(const ShearedRay& sheared, const Vec3& a, const Vec3& b, const Vec3& c);
 
 }  // namespace caustic

@@ -15,8 +15,8 @@ constexpr Real roundingBound(int n) {
 /// Bound on the rounding error of u az + v bz + w cz, by which the watertight test finds t. For one triangle (Real) or
 /// for many (WideReal).
 /// Source: Pharr, Jakob, Humphreys 2016, Physically Based Rendering, 3rd ed., section 3.9.6.
-/// @param x,y,z  the corners' largest coordinates in the ray's space
-/// @param edge   the largest of u, v, w
+/// @param x,y,z  the corners' largest coordinates in the ray's space, without their signs
+/// @param edge   the largest of u, v, w, without its sign
 template <typename Number>
 Number watertightError(const Number& x, const Number& y, const Number& z, const Number& edge) {
     const Number errorX = roundingBound(5) * (x + z);

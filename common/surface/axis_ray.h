@@ -29,8 +29,8 @@ struct AxisRay {
     Real rise;        ///< cosine of the angle to the axis
     Real perRise;     ///< 1 / rise: s for one of height; infinite in the plane of rotation
     Real flat;        ///< sine of the angle to the axis, not negative
-    Real flatSquare;  ///< flat²
-    Real drift;       ///< base · across; 0 when leaning
+    Real flatSquare;  ///< flat², to full precision: 1 - rise² has few digits for a line along the axis
+    Real drift;       ///< base · across, half the slope of the squared distance there; 0 when leaning
     Real near;        ///< distance of the base point from the axis
     Real nearest;     ///< s of the point nearest to the axis
     bool leaning;     ///< closer to the plane of rotation than to the axis

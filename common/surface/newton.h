@@ -35,9 +35,13 @@ struct NewtonLimits {
     Real tolerance = 1e-10;  ///< distance between L(t) and B(u, v) at which they have met, in the surface's unit
 };
 
-/// Solves F(t, u, v) = L(t) - B(u, v) = 0 by Newton's method, the report's way: gives up when u or v strays too far,
-/// when t becomes negative, or after so many iterations.
-/// @return a meeting with u in [0, 1], and v too unless the surface is closed in v; nothing when it gave up
+/// Solves F(t, u, v) = L(t) - B(u, v) = 0 by Newton's method, the report's way. The gap |L - B| is looked at before
+/// each step and after the last one: within limits.tolerance the two have met. Gives up when a step takes u or v
+/// farther than limits.stray out of [0, 1] (v only if the surface isn't closed in it) or t below 0, when it makes
+/// one of them no number or infinite (the determinant is 0), or after limits.iterations steps. The ray's tMin and
+/// tMax play no part.
+/// @return a meeting with u in [0, 1], and v too unless the surface is closed in v: then v is what came out, not
+///         brought back into [0, 1]; nothing when it gave up or met the surface outside of its domain
 std::optional<NewtonPoint> newtonMeeting(const ParametricSurface& surface, const Ray& ray, const NewtonPoint& start,
                                          const NewtonLimits& limits = {});
 

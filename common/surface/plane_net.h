@@ -25,8 +25,11 @@ struct PatchDomain {
     Interval v = {0, 1};
 };
 
-/// The part of [0, 1]² that can hold zeros of a net, a little enlarged by `tolerance`; an interval is empty when there
-/// are none. All of [0, 1]² when the net is too far from a linear map to tell.
+/// The part of [0, 1]² that can hold zeros of a net; an interval is empty when there are none. Within [0, 1]² it is
+/// enlarged by what `tolerance` in both coordinates can move a zero: on each side of u by tolerance |b|₁ / |det(a
+/// b)|, of v by tolerance |a|₁ / |det(a b)|, where |·|₁ is the sum of the components' magnitudes. All of [0, 1]²
+/// when a and b are too close to parallel to tell: |det(a b)| at most 1e-6 |a| |b|. The determinant's sign means
+/// nothing.
 ///
 /// With a and b the mean derivatives by u and v, the inverse of the matrix (a b) turns the net into one close to the
 /// identity: q(u, v) = (u, v) + r(u, v). A Bernstein polynomial with the control values i/m is u itself (linear

@@ -22,12 +22,16 @@ public:
     /// lies in a plane of rotation; where the ray crosses that plane it is inside the circle or outside. Between two
     /// samples of which one has it inside and the other outside, the ray must meet the surface. Two meetings between
     /// the same two samples go unseen, and a ray within a plane of rotation crosses none.
+    /// @return for each such pair of neighbours a start at both, in the order of u: the sample's u, the t at which
+    ///         the ray's line crosses its plane, of either sign, and as v the angle of that point, in turns, any
+    ///         multiple of a turn apart; on a negative radius the point is at the opposite angle. On the circle
+    ///         counts as outside.
     NewtonStarts bracketingStarts(const Ray& ray) const;
 
 private:
     struct Sample {
         Real u;
-        Real radius;
+        Real radius;  // x of the profile, negative beyond the axis
         Real height;
     };
 

@@ -33,7 +33,7 @@ struct RevolvedRoot {
 /// the axis at that height.
 ///
 /// Neighbouring segments judge their common end by the same numbers, so no line slips between them.
-/// Tests: tests/03_bezier_surfaces/stability_revolution.cpp holds it against subdivision that shares no code with it.
+/// Tests: tests/03_bezier_surfaces/stability_roots.cpp holds it against subdivision that shares no code with it.
 /// Source: Lane, Riesenfeld 1981, Bounds on a Polynomial; the factors are this course's.
 class RevolvedSegment {
 public:
@@ -68,14 +68,19 @@ public:
     struct Equation {
         std::array<Real, 2 * highestDegree + 1> coefficient;
         int degree;  ///< twice the profile's
-        Real error;  ///< no coefficient is farther than that from its exact value
+
+        /// No coefficient is farther than that from its exact value. It grows with the terms that are added up, not
+        /// with their sum: with u = 2^-53 it is (16 + 2 degree) u times the most that flat² h² + 2 |drift rise h| +
+        /// rise² (near² + x²) can be, x and h as large as the control points allow.
+        Real error;
     };
 
     /// The equation of a line's meetings.
     Equation equation(const AxisRay& ray) const;
 
-    /// All meetings of the line with the segment, in the order of u. A line within the surface meets it nowhere; one
-    /// that touches it, up to rounding, nowhere or twice. None for a line that is not finite.
+    /// All meetings of the line with the segment, in the order of u. One that touches it, up to rounding, meets it
+    /// nowhere or twice. One within the surface meets it everywhere: what is returned says nothing then, but takes
+    /// no longer than for any other line. None for a line that is not finite.
     Roots roots(const AxisRay& ray) const;
 
     /// A piece of a line: from a distance along an AxisRay to another.
@@ -108,7 +113,7 @@ private:
     std::vector<Real> y_;        // control points' height
     std::vector<Real> xSquare_;  // Bernstein coefficients of x², of twice the degree
     std::vector<Real> ySquare_;  // of (y - middle_)²
-    std::vector<Real> yRaised_;  // of y - middle_
+    std::vector<Real> yRaised_;  // of y - middle_, raised to that degree
     Real middle_;                // a height within: y - middle_ is small, so that less cancels
     Real xLargest_;              // of |x|
     Real yLargest_;              // of |y - middle_|

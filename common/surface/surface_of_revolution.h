@@ -54,8 +54,11 @@ private:
         Real u;  // within the segment
     };
 
+    // The segment that u of the whole surface is on, and where on it.
     Place placeAt(Real u) const;
     Vec3 normalAt(const Place& place, const RevolvedSegment::ProfilePoint& profile, const Vec2& outward) const;
+    // Point and derivatives there, x with its sign, by the u of the whole surface (place.u is the segment's own) and
+    // by v: any v.
     SurfaceJet jetAt(const Place& place, Real v) const;
     Hit hitAt(const Ray& ray, const Place& place, Real t) const;
     bool canMeet(const Ray& ray) const;
