@@ -93,20 +93,25 @@ struct KdPlane {
     Real cost = 0;          ///< what a ray through the box is expected to cost
 };
 
-/// Expected cost of a ray through a box that is cut in two: a step, and the items of each side times the chance that a
-/// ray which is in the box meets that side. By Crofton's formula that is the ratio of the surfaces' areas.
-/// Source: MacDonald, Booth 1990, Heuristics for Ray Tracing Using Space Subdivision.
+/// Expected cost of a ray through a box that is cut in two: a step, and each side's leafCost times the chance that a
+/// ray which is in the box meets that side. By Crofton's formula that is the ratio of the surfaces' areas. When a
+/// side has no item, a share of all of that is forgiven: emptyBonus. Source: MacDonald, Booth 1990, Heuristics for
+/// Ray Tracing Using Space Subdivision.
+/// @param axis,at      the plane, which cuts the box
+/// @param below,above  how many items either side has
 template <typename Scalar>
 Real splitCost(const KdBox<Scalar>& box, std::uint32_t axis, Scalar at, std::uint32_t below, std::uint32_t above,
                const KdRule& rule);
 
-/// Cost of testing all items of a leaf.
+/// Cost of testing all items of a leaf: of all its blocks, full or not. 0 for none.
 Real leafCost(std::uint32_t items, const KdRule& rule);
 
-/// The cheapest plane strictly within the box perpendicular to an axis, by one sweep over the events.
-/// @param events  of that axis, sorted
+/// The cheapest plane strictly within the box perpendicular to an axis, by one sweep over the events. An item is below
+/// the plane when some of it is, above when some of it is, and both when it is cut; one that is flat and lies in the
+/// plane counts on one side, whichever costs less.
+/// @param events  of that axis, sorted; an item has a Start and an End, or is Flat
 /// @param items   how many there are in the box
-/// @param best    replaced when a plane of this axis costs less than it
+/// @param best    replaced when a plane of this axis costs less than it; stays when the best one costs as much
 template <typename Scalar>
 void sweepPlanes(std::span<const KdEvent<Scalar>> events, const KdBox<Scalar>& box, std::uint32_t axis,
                  std::uint32_t items, const KdRule& rule, KdPlane<Scalar>& best);

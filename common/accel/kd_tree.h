@@ -42,8 +42,10 @@ public:
     /// @param clip   what is left of an item in a cell; by default of its box
     explicit KdTree(std::vector<Bounds3> boxes, const KdRule& rule = {}, const KdClip<Real>& clip = {});
 
-    /// Calls test(item) for items that the ray may meet, near cells first. `test` shortens ray.tMax when it finds a
-    /// hit, which prunes what is behind it, and returns whether to stop. An item may be tested more than once.
+    /// Calls test(item) for items that the ray may meet between tMin and tMax, near cells first. `test` shortens
+    /// ray.tMax when it finds a hit, which prunes the cells that begin behind it, and returns whether to stop at
+    /// once. An item may be tested more than once. Crossings are rounded: a ray within KdRay::slack of a plane is on
+    /// both sides.
     /// @param onNode  called for every node that is visited, leaves included
     template <typename Test, typename OnNode>
     void traverse(Ray& ray, const Test& test, const OnNode& onNode) const;

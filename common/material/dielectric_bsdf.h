@@ -14,6 +14,8 @@ public:
     LobeFlags lobes() const override { return LobeFlags::Delta | LobeFlags::Reflection | LobeFlags::Transmission; }
 
 private:
+    // Shares of the energy, each as f and as pdfW, eta as BsdfSample says. A lobe without a share is left out; there
+    // is none when wo.z < 0.
     DeltaLobes localDeltaLobes(const Vec3& wo, Real eta) const override;
 };
 

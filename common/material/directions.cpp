@@ -1,5 +1,6 @@
 #include "material/directions.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 

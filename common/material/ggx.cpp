@@ -2,6 +2,7 @@
 
 #include <math.h>  // lgamma_r, which <cmath> doesn't have
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>

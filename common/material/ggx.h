@@ -21,11 +21,11 @@ public:
 
     /// Area of the facets with this normal, per solid angle of normals and area of the surface, 1/sr. Their projections
     /// cover the surface: ∫ D(wm) wm.z dwm = 1.
-    /// @param wm  unit normal; nothing faces below the surface
+    /// @param wm  unit normal; 0 unless wm.z > 0
     Real D(const Vec3& wm) const;
 
     /// Smith's Λ: how much of the facets that face w is hidden from it, per what is seen. 0 along the normal.
-    /// @param w  unit direction, above or below the surface; infinite along it
+    /// @param w  unit direction, above or below the surface, which makes no difference; infinite for one along it
     Real lambda(const Vec3& w) const;
 
     /// Share of the facets facing w that w sees, in [0, 1]. Source: Heitz 2014, eq. 43.

@@ -7,9 +7,10 @@
 
 namespace caustic {
 
-/// Phong's model with the factors that keep energy: f = diffuse / π + specular · (n + 2)/(2π) · cosⁿα, where α is the
-/// angle between wi and the mirror direction of wo. Reciprocal. Source: Phong 1975; Lafortune, Willems 1994, Using the
-/// Modified Phong Reflectance Model for Physically Based Rendering, CW 197.
+/// Phong's model with the factors that keep energy: f = diffuse / π + specular · (n + 2)/(2π) · cosⁿα, where α is
+/// the angle between wi and the mirror direction of wo; no highlight where cos α is negative, and 0 for a wi that
+/// isn't above the surface. Reciprocal. Source: Phong 1975; Lafortune, Willems 1994, Using the Modified Phong
+/// Reflectance Model for Physically Based Rendering, CW 197.
 class PhongBsdf final : public Bsdf {
 public:
     /// @param diffuse   share reflected into all directions

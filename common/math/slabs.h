@@ -6,8 +6,9 @@
 
 namespace caustic {
 
-/// The t between tMin and tMax, both included, at which a ray is in a closed box; an empty interval when it never is.
-/// No t is infinite: with tMax = ∞ the interval ends at the largest finite number at the latest.
+/// The t between tMin and tMax, both included, at which a ray is in a closed box; an empty interval when it never
+/// is. No t is infinite: with tMax = ∞ the interval ends at the largest finite number at the latest, so that a ray
+/// which runs beside the box is in it nowhere.
 ///
 /// Right for every direction, components 0 and -0 included, wherever the origin is: in a face, an edge or a corner too,
 /// where 0 · ∞ lurks. A ray within a face is in the box. The box may be flat or infinite.

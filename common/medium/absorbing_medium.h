@@ -18,7 +18,8 @@ public:
     /// Absorption coefficient, 1/m.
     const Color& sigmaA() const { return sigmaA_; }
 
-    /// e^(−sigmaA · d) for a distance d. Source: Beer 1852; Lambert 1760.
+    /// e^(−sigmaA · d) for a distance d in metres; tEnd counts in lengths of the direction. A channel with sigmaA 0
+    /// passes any distance, an infinite one too. Source: Beer 1852; Lambert 1760.
     Color transmittance(const Ray& ray, Real tEnd) const override;
 
 private:

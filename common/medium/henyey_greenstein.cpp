@@ -1,5 +1,6 @@
 #include "medium/henyey_greenstein.h"
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
 

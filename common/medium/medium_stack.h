@@ -43,7 +43,8 @@ public:
     /// The object that fills the place, noObject in empty space.
     ObjectId object() const;
 
-    /// The path enters or leaves an object. Leaving one that it isn't in changes nothing.
+    /// The path enters or leaves an object. One that it is in already, since the object's surface overlaps itself,
+    /// counts twice from then on: it takes two leavings to be out. Leaving one that it isn't in changes nothing.
     /// @param interior  the object's; kept by reference
     /// @throws InputError when more than mostNested would overlap
     void enter(ObjectId object, const Interior& interior);
@@ -71,7 +72,8 @@ struct Crossing {
     bool counts() const { return before.object() != after.object(); }
 };
 
-/// Crosses the boundary of an object with an interior.
+/// Crosses the boundary of an object with an interior: `before` is what the path was in, and `after` has the object
+/// once more when the path enters, once less when it leaves. Whether the boundary counts plays no part in that.
 ///
 /// A path that leaves an object which it never entered must have been in it without knowing: it started there. Then
 /// `before` has it.

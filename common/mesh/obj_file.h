@@ -31,7 +31,8 @@ MeshData loadObj(const std::filesystem::path& path);
 
 /// The index that a number of a face's corner means: 1 is the first, -1 the last one so far. No number may be 0.
 /// @param soFar  how many have been read
-/// @return nothing when it is 0, or points before the first one; a positive one may point to what is still to come
+/// @return the index, from 0; nothing when the number is 0, points before the first one, or is larger than 2^32 - 2,
+///         since indices have 32 bits; a positive one may point to what is still to come
 std::optional<std::uint32_t> objIndex(long long number, std::size_t soFar);
 
 }  // namespace caustic

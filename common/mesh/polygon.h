@@ -16,8 +16,8 @@ inline constexpr std::size_t mostConcaveCorners = 2000;
 /// Cuts a polygon into triangles that cover it and go round the same way, n - 2 of them for n corners.
 ///
 /// A convex one becomes a fan around its first corner, a concave one loses an ear at a time. Corners need not be
-/// exactly in a plane; the polygon is seen along its mean normal (Newell's). One that crosses itself is cut somehow.
-/// Source: Meisters 1975, Polygons Have Ears.
+/// exactly in a plane; the polygon is seen along its mean normal (Newell's). One that crosses itself, or has no
+/// area, is cut somehow, into n - 2 triangles all the same. Source: Meisters 1975, Polygons Have Ears.
 /// @param corners  at least three; at most mostConcaveCorners unless it is convex
 /// @return the corners' numbers within `corners`
 std::vector<std::array<std::uint32_t, 3>> triangulated(std::span<const Vec3> corners);

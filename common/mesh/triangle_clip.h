@@ -5,7 +5,8 @@
 
 namespace caustic {
 
-/// A box around the part of a triangle that is inside of another box; empty when no part is. Never larger than either.
+/// The smallest box, but for rounding, around the part of a triangle that is inside of another, closed box; empty
+/// (default-constructed) when no part is. Never larger than either.
 ///
 /// A tree that files a triangle by this box instead of its own visits it in fewer cells.
 /// Source: Sutherland, Hodgman 1974, Reentrant Polygon Clipping; in trees Havran 2000, "split clipping".

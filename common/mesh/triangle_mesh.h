@@ -43,8 +43,9 @@ private:
     DiscreteDistribution areas_;  // of the triangles
 };
 
-/// The shading normal at a point of a triangle: the corners' normals weighted by its barycentric coordinates, of unit
-/// length, on ng's side; ng itself when a corner has none or they cancel.
+/// The shading normal at a point of a triangle: the corners' normals, each made a unit vector first, weighted by its
+/// barycentric coordinates, of unit length again, on ng's side. ng itself when the mesh has no normals, a corner has
+/// none (MeshData::none, or a zero one), or they cancel.
 Vec3 interpolatedNormal(const MeshData& mesh, const MeshHit& at, const Vec3& ng);
 
 }  // namespace caustic

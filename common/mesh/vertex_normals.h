@@ -14,7 +14,7 @@ enum class NormalWeight {
 };
 
 /// Unit normals at the mesh's positions, from the triangles around them; zero at a vertex whose triangles cancel or
-/// have no area, and at one that no triangle has.
+/// have no area, and at one that no triangle has. A triangle without area adds nothing anywhere.
 /// Source: Gouraud 1971 (mean); Thürmer, Wüthrich 1998, Computing Vertex Normals from Polygonal Facets (angle).
 std::vector<Vec3> vertexNormals(const MeshData& mesh, NormalWeight weight);
 

@@ -1,5 +1,6 @@
 #include "shape/watertight.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 

@@ -31,7 +31,7 @@ struct NewtonPoint {
 /// When Newton's method gives up; the report's values.
 struct NewtonLimits {
     Real stray = 0.3;        ///< how far u and v may go outside of [0, 1]
-    int iterations = 10;     ///< at most
+    int iterations = 10;     ///< steps, at most
     Real tolerance = 1e-10;  ///< distance between L(t) and B(u, v) at which they have met, in the surface's unit
 };
 

@@ -26,10 +26,9 @@ struct PatchDomain {
 };
 
 /// The part of [0, 1]² that can hold zeros of a net; an interval is empty when there are none. Within [0, 1]² it is
-/// enlarged by what `tolerance` in both coordinates can move a zero: on each side of u by tolerance |b|₁ / |det(a
-/// b)|, of v by tolerance |a|₁ / |det(a b)|, where |·|₁ is the sum of the components' magnitudes. All of [0, 1]²
-/// when a and b are too close to parallel to tell: |det(a b)| at most 1e-6 |a| |b|. The determinant's sign means
-/// nothing.
+/// enlarged by what `tolerance` in both coordinates can move a zero: u at each end by tolerance · (|b.x| + |b.y|) /
+/// |a × b|, v likewise with a; by four times as much at most. All of [0, 1]² when the mean derivatives a and b are
+/// too close to parallel to tell, |a × b| <= 1e-6 |a| |b|. The sign of a × b means nothing.
 ///
 /// With a and b the mean derivatives by u and v, the inverse of the matrix (a b) turns the net into one close to the
 /// identity: q(u, v) = (u, v) + r(u, v). A Bernstein polynomial with the control values i/m is u itself (linear

@@ -1,5 +1,6 @@
 #include "surface/revolved_curve.h"
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
 #include <string>

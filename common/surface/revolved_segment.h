@@ -69,9 +69,10 @@ public:
         std::array<Real, 2 * highestDegree + 1> coefficient;
         int degree;  ///< twice the profile's
 
-        /// No coefficient is farther than that from its exact value. It grows with the terms that are added up, not
-        /// with their sum: with u = 2^-53 it is (16 + 2 degree) u times the most that flat² h² + 2 |drift rise h| +
-        /// rise² (near² + x²) can be, x and h as large as the control points allow.
+        /// No coefficient is farther than that from its exact value for the numbers in the AxisRay. It grows with the
+        /// terms that are added up, not with their sum: (16 + 2 degree) units of rounding, 2^-53 each, of the most that
+        /// flat² h² + 2 |drift rise h| + rise² (near² + x²) can be, x and h as large as the control points allow, are
+        /// enough; 100 (degree of the profile + 1) are too many.
         Real error;
     };
 
