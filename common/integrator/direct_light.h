@@ -13,15 +13,17 @@ struct DirectLight {
     ChosenLight light;
     DirectSample sample;          ///< of that light
     Real pdfW = 0;                ///< density of choosing this light and then this direction, 1/sr
-    Color value = Color::Zero();  ///< what the vertex scatters of it along its wo: an estimate, over pdfW, of what it
-                                  ///< scatters of all lights, W/(m²·sr)
+    Color value = Color::Zero();  ///< what the vertex scatters of it along its wo, divided by pdfW already: an estimate
+                                  ///< of what it scatters of all lights, W/(m²·sr)
 };
 
-/// Samples the light that comes to a vertex straight from the lights: one of them, and a direction to it.
+/// Samples the light that comes to a vertex straight from the lights: one of them, and a direction to it. What is in
+/// the way is asked for with the sample's ray, in the media on its side of the vertex.
 /// @param at      connectible()
-/// @param vertex  which vertex of the path it is, from 0: whose numbers are taken
+/// @param vertex  which vertex of the path it is, from 0: whose numbers are taken, LightChoice for the light and the
+///                pair LightPoint for the direction
 /// @param counts  what is done in the scene is added
-/// @return nothing when none comes from there
+/// @return nothing when no light is chosen, it gives no sample, or all three channels of what comes are 0
 std::optional<DirectLight> sampleDirectLight(const Scene& scene, const LightChoice& lights, const Interaction& at,
                                              int vertex, const PathNumbers& numbers, RayCounts& counts);
 

@@ -4,15 +4,15 @@
 
 namespace caustic {
 
-/// How a vertex of a walk was left: the densities over solid angle, 1/sr, with which the walk went on, and with which a
-/// walk from the other end would go back the way that this one came. A delta lobe has the same probability from either
-/// side, and each ratio of densities goes through it as 1: both are 1 there.
+/// How a vertex of a walk was left. A delta lobe has the same probability from either side, and each ratio of densities
+/// goes through it as 1: both are 1 there.
 struct VertexPdf {
-    Real forward = 1;
-    Real reverse = 1;
+    Real forward = 1;  ///< density over solid angle, 1/sr, with which the walk went on from the vertex
+    Real reverse = 1;  ///< the same with which a walk from the other end would go back from it
 
-    /// Whether a walk may end at the vertex and be connected to the end of another one: not where a delta lobe
-    /// scatters, nor at an eye that splats nothing.
+    /// Whether a walk, this one or the other, may end at the vertex and be connected to the end of another one: not
+    /// where a delta lobe scatters, nor at an eye that splats nothing. That closes two strategies: the one that ends
+    /// this walk here, and the one that ends the other walk here.
     bool connectible = true;
 };
 
@@ -39,7 +39,9 @@ struct PathDensity {
     /// the other walk hits it by chance.
     Real dVCM = 0;
 
-    /// All strategies in which this walk ends earlier still, up to the two factors p← that PathDensity::others adds.
+    /// The sum over all strategies in which this walk ends earlier still, each squared density over that of the one
+    /// in which it ends here, but for two factors that PathDensity::others adds: p← of this vertex, and the density
+    /// over solid angle of going from here back to the vertex before, both squared.
     Real dVC = 0;
 
     /// At a walk's first vertex.
@@ -48,12 +50,14 @@ struct PathDensity {
     static PathDensity start(Real pdf, bool canBeHit) { return {canBeHit ? 1 / (pdf * pdf) : 0, 0}; }
 
     /// At the next vertex.
-    /// @param left  how this one is left
+    /// @param left     how this one is left
+    /// @param segment  from this one to the next; cosTo / squaredDistance turns a density over solid angle here into
+    ///                 one over area there, cosFrom / squaredDistance one there into one here
     PathDensity next(const VertexPdf& left, const Segment& segment) const;
 
     /// Sum of the squared densities of all strategies in which this walk ends earlier, over the squared density of the
     /// one in which it ends here.
-    /// @param reverse      p← of this vertex, in the measure of its p→
+    /// @param reverse      p← of this vertex, over area as its p→ is (over solid angle for one at infinity)
     /// @param reversePdfW  density over solid angle with which the other walk goes on from here to the vertex before,
     ///                     1/sr
     Real others(Real reverse, Real reversePdfW) const;

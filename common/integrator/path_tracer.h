@@ -36,9 +36,10 @@ public:
     /// on (BSDF sampling), which hits the light by chance.
     enum class Sampled { Light, Direction };
 
-    /// How much light counts that was found by one of the two.
-    /// @param pdfLight      density of light sampling, 1/sr; 0 where no light is sampled: at the eye, behind a delta
-    ///                      lobe
+    /// How much light counts that was found by one of the two, in [0, 1], as PathTracerSettings::direct says; the
+    /// two weights of one way to the light sum to 1, wherever both can find it.
+    /// @param pdfLight      density of light sampling, 1/sr, the choice of the light included; 0 where no light is
+    ///                      sampled: at the eye, behind a delta lobe
     /// @param pdfDirection  density of the path's going there by chance, 1/sr; 0 for a light with a delta place, which
     ///                      no path hits
     Real weight(Sampled how, Real pdfLight, Real pdfDirection) const;
