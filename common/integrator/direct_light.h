@@ -11,7 +11,7 @@ namespace caustic {
 /// Light that comes to a vertex straight from one of the lights.
 struct DirectLight {
     ChosenLight light;
-    DirectSample sample;          ///< of that light
+    DirectSample sample;          ///< of that light, as it was given: its own density is of the direction alone
     Real pdfW = 0;                ///< density of choosing this light and then this direction, 1/sr
     Color value = Color::Zero();  ///< what the vertex scatters of it along its wo, divided by pdfW already: an estimate
                                   ///< of what it scatters of all lights, W/(m²·sr)

@@ -1,5 +1,7 @@
 #include "integrator/path_density.h"
 
+#include <cmath>
+
 #include "core/not_implemented.h"
 
 namespace caustic {

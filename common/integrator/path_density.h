@@ -12,7 +12,8 @@ struct VertexPdf {
 
     /// Whether a walk, this one or the other, may end at the vertex and be connected to the end of another one: not
     /// where a delta lobe scatters, nor at an eye that splats nothing. That closes two strategies: the one that ends
-    /// this walk here, and the one that ends the other walk here.
+    /// this walk here, and the one that ends the other walk here. Its densities of 1 are over solid angle; over area
+    /// they take cosine and distance as any others.
     bool connectible = true;
 };
 

@@ -9,8 +9,9 @@ struct RayTracerSettings {
     /// Reflections and refractions in a row, at most; at least 0. What comes after them is lost.
     int maxDepth = 8;
 
-    /// A ray that counts no more than this isn't followed; in [0, 1). Each boundary then loses less than its share
-    /// of it.
+    /// A ray that counts no more than this isn't followed; in [0, 1). It counts what the lobes and the ways before it
+    /// have left of light's energy, the largest channel: eta² undoes what TransportMode::Radiance divides by. Each
+    /// boundary then loses less than its share of it.
     Real leastWeight = 0;
 
     /// Points sampled of each light with an extent at each non-specular surface, at least 1.

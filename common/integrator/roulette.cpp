@@ -1,5 +1,7 @@
 #include "integrator/roulette.h"
 
+#include <algorithm>
+
 #include "core/not_implemented.h"
 
 namespace caustic {

@@ -16,8 +16,8 @@ public:
     /// @throws InputError when the shape or the texture is missing, or the shape can't be sampled
     AreaLight(std::shared_ptr<const Shape> shape, std::shared_ptr<const Texture> radiance);
 
-    /// Picks a point of the shape, as its sampleArea does. Nothing when that point shows its back, or is `from` itself.
-    /// The ray leaves both surfaces as spawnRayTo says.
+    /// Picks a point of the shape, as its sampleArea does. Nothing when that point shows its back or its edge, or is
+    /// `from` itself. The ray leaves both surfaces as spawnRayTo says.
     std::optional<DirectSample> sampleDirect(const SurfacePoint& from, const Vec2& u) const override;
     Real pdfW(const Vec3& from, const SurfacePoint& on) const override;
     using Light::pdfW;

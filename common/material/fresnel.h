@@ -5,9 +5,9 @@
 
 namespace caustic {
 
-/// Share of unpolarised light that a smooth boundary between two clear media reflects, in [0, 1]; 1 from the critical
-/// angle on. The same from both sides: F(cosO, eta) = F(cosI, 1/eta), where cosI is on the other side by Snell's law.
-/// Source: Fresnel 1823; PBR 9.3.
+/// Share of unpolarised light that a smooth boundary between two clear media reflects, in [0, 1]; 1 from the
+/// critical angle on, and along the surface. The same from both sides: F(cosO, eta) = F(cosI, 1/eta), where cosI is
+/// on the other side by Snell's law. Source: Fresnel 1823; PBR 9.3.
 /// @param cosO  cosine between wo and the normal on wo's side, in [0, 1]
 /// @param eta   index of refraction on the other side over the one on wo's side, greater than 0
 Real fresnelDielectric(Real cosO, Real eta);

@@ -7,8 +7,8 @@
 namespace caustic {
 
 /// A rough metal: facets that are ConductorBsdf each, f = F D G / (4 cosO cosI) with F for the angle between wo and
-/// the facet; 0 unless wo and wi are both above the surface. Light that meets a second facet is lost, the more the
-/// rougher. Source: Cook, Torrance 1982; Walter 2007, eq. 20.
+/// the facets half-way between wo and wi; 0 unless wo and wi are both above the surface. Light that meets a second
+/// facet is lost, the more the rougher. Source: Cook, Torrance 1982; Walter 2007, eq. 20.
 class RoughConductorBsdf final : public Bsdf {
 public:
     /// @param metal   its index over that of what lies above it
