@@ -12,6 +12,7 @@ namespace caustic {
 ///
 /// Fast, short, and not watertight: two triangles round the same edge in different ways, and a ray may slip through
 /// between them. Scenes use intersectWatertight.
+///
 /// Both sides of the triangle count, and its edges belong to it. No triangle is too small: a ray is in its plane, or it
 /// has no area, only if the equations' determinant is 0.
 /// @return nothing for a miss, a t that the ray doesn't reach, a ray in the triangle's plane, or a triangle without

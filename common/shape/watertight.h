@@ -26,11 +26,11 @@ struct ShearedRay {
 /// by the sign of one difference of products, which its two triangles compute with swapped signs. Products round
 /// monotonically, so that sign is never wrong, at worst it is zero; then the exact remainders of the products decide.
 /// Whether the triangle is ahead of the ray or behind it is computed in twice the precision when rounding could have
-/// changed the answer: a sliver that a ray starts on, or just inside of.
+/// changed the answer: a sliver that a ray starts on, or just inside of. Both sides of the triangle count, and no
+/// triangle is too small.
 /// Needs -ffp-contract=off: a fused product would break the antisymmetry.
 /// Source: Woop, Benthin, Wald 2013, Watertight Ray/Triangle Intersection, JCGT 2(1); the remainders by std::fma
 /// replace the paper's fall-back to double.
-/// Both sides of the triangle count. No triangle is too small.
 /// @return nothing for a miss, a t that the ray doesn't reach, or a triangle seen edge-on: one whose three numbers sum
 ///         to 0
 std::optional<TriangleHit> intersectWatertight(const ShearedRay& sheared, const Vec3& a, const Vec3& b, const Vec3& c);
