@@ -5,10 +5,10 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <system_error>
 #include <opencv2/highgui.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <string>
+#include <system_error>
 
 int main(int argc, char** argv) {
     if (argc != 2) {

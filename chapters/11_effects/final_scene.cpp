@@ -11,9 +11,9 @@
 #include "light/environment_map.h"
 #include "light/weighted_shape.h"
 #include "maps.h"
-#include "material/rough_conductor_material.h"
 #include "material/dielectric_material.h"
 #include "material/phong_material.h"
+#include "material/rough_conductor_material.h"
 #include "medium/absorbing_medium.h"
 #include "medium/henyey_greenstein.h"
 #include "medium/homogeneous_medium.h"
@@ -80,7 +80,8 @@ void addTeapot(SceneDescription& scene, bool normals, const FindAsset& asset) {
                             Transform::rotation(Vec3::UnitY(), 0.45) * Transform::scaling(Vec3::Constant(scale)) *
                             upright;
     if (normals) pot = dented(pot, hammeredPattern(512, 5, 0.022, 3), Vec2(2, 1));
-    scene.objects.push_back({placed(pot, place), std::make_shared<RoughConductorMaterial>(Metal::copper(), 0.13, 0.13)});
+    scene.objects.push_back(
+        {placed(pot, place), std::make_shared<RoughConductorMaterial>(Metal::copper(), 0.13, 0.13)});
 }
 
 void addBunny(SceneDescription& scene, const FindAsset& asset) {

@@ -12,8 +12,7 @@ HashGrid::HashGrid(std::span<const Vec3> points, Real cellSize)
       mask_(std::bit_ceil(static_cast<std::uint32_t>(std::max<std::size_t>(points.size(), 1))) - 1) {
     checkPositive(cellSize, "grid's cell size");
     checkArgument(std::isfinite(perCell_), "grid's cell size", std::to_string(cellSize), "is too small");
-    checkArgument(points.size() < (std::size_t{1} << 31), "grid", std::to_string(points.size()),
-                  "has too many points");
+    checkArgument(points.size() < (std::size_t{1} << 31), "grid", std::to_string(points.size()), "has too many points");
     // Counting sort by slot: how many points each has, where they begin, and each point to its place.
     std::vector<std::uint32_t> slots(points.size());
     first_.assign(std::size_t{mask_} + 2, 0);

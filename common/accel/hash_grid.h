@@ -24,7 +24,8 @@ namespace caustic {
 class HashGrid {
 public:
     /// @param cellSize  edge of the cubes, m, greater than 0; best twice the radius that most queries have
-    /// @throws InputError when it isn't finite and greater than 0, a coordinate isn't finite, or there are 2³¹ points or
+    /// @throws InputError when it isn't finite and greater than 0, a coordinate isn't finite, or there are 2³¹ points
+    /// or
     ///         more
     HashGrid(std::span<const Vec3> points, Real cellSize);
 
@@ -38,7 +39,8 @@ public:
     std::size_t memory() const;
 
     /// Calls visit(const NearPoint&) for each point within a radius, the border included: once each, in an order that
-    /// depends on the points and the query alone. Within a negative radius, and around what isn't finite, there is none.
+    /// depends on the points and the query alone. Within a negative radius, and around what isn't finite, there is
+    /// none.
     template <typename Visit>
     void within(const Vec3& query, Real radius, const Visit& visit) const;
 
@@ -102,7 +104,8 @@ void HashGrid::within(const Vec3& query, Real radius, const Visit& visit) const 
     const auto slots = static_cast<Real>(mask_) + 1;
     if (count.cast<Real>().prod() > slots) {
         // More cubes than slots: every point is looked at once.
-        look(0, static_cast<std::uint32_t>(points_.size()), query, squared, [](const Vec3&) { return true; }, visit);
+        look(
+            0, static_cast<std::uint32_t>(points_.size()), query, squared, [](const Vec3&) { return true; }, visit);
         return;
     }
     for (std::int64_t z = low.z(); z <= high.z(); ++z) {

@@ -68,7 +68,7 @@ Vec3 BezierCurve::derivative(Real t) const {
 }
 
 std::optional<Vec3> BezierCurve::tangent(Real t) const {
-    if (const std::optional<Vec3> direction = clearDirection(*this, t)) return direction;
+    if (std::optional<Vec3> direction = clearDirection(*this, t)) return direction;
 
     // B(t + s) - B(t) starts with the first of the right part's control points that differs from B(t); at the end the
     // same holds for the left part, read backwards.

@@ -23,7 +23,9 @@ bool seesAnEdge(const Scene& scene, const Sampler& sampler, const PathLimits& li
     for (int i = 0; i < side * side; ++i) {
         const PathNumbers numbers = sampler.start(edgeStream, pixel, i);
         const Vec2 u = numbers.pair(Dimension::film());
-        const Vec2 film(pixel.x + (i % side + u.x()) / side, pixel.y + (i / side + u.y()) / side);
+        const int column = i % side;
+        const int row = i / side;
+        const Vec2 film(pixel.x + (column + u.x()) / side, pixel.y + (row + u.y()) / side);
         const Ray ray = scene.camera().sampleRay(film, numbers.pair(Dimension::lens()));
         const Color seen = findVisiblePoint(scene, ray, scene.cameraMedia(), limits, numbers, counts).seen;
         if (i == 0) first = seen;

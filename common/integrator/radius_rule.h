@@ -14,8 +14,8 @@ enum class RadiusRule {
 
 /// Rule ①: the radius of a pass, R_i² = R_0² ∏ (k + α)/(k + 1) over k = 1 ... i. So variance grows by a factor less
 /// than what more passes take from it, and the mean over the passes has no bias left in the end: its variance goes as
-/// 1/i^α, its bias as 1/i^(1 − α). Source: Knaus, Zwicker 2011, Progressive Photon Mapping: A Probabilistic Approach, ACM
-/// TOG 30(3), eqs. 15 and 17.
+/// 1/i^α, its bias as 1/i^(1 − α). Source: Knaus, Zwicker 2011, Progressive Photon Mapping: A Probabilistic Approach,
+/// ACM TOG 30(3), eqs. 15 and 17.
 /// @param first  R_0, m
 /// @param alpha  in (0, 1)
 /// @param pass   i, from 0

@@ -52,8 +52,7 @@ Rendering Sppm::runPass(const Pass& pass, int threads) {
     //! [ex-09.8]
     const Camera& camera = scene().camera();
     Rendering rendering = {Film(camera.width(), camera.height()), {}, 1, 0};
-    if (settings_.rule == RadiusRule::Pass)
-        radius_ = radiusOfPass(settings_.radius, settings_.alpha, pass.number);
+    if (settings_.rule == RadiusRule::Pass) radius_ = radiusOfPass(settings_.radius, settings_.alpha, pass.number);
     traceNewPhotons(pass.number, threads, rendering.counts);
 
     std::vector<Found> found(pass.paths.size());
@@ -111,8 +110,7 @@ Sppm::Found Sppm::look(const Ray& ray, const MediumStack& media, const PathNumbe
 
 Sppm::Found Sppm::look(const PathId& path, RayCounts& counts) const {
     const PathNumbers numbers = sampler().start(eyeStream, path.pixel, path.index);
-    const Real radius =
-        settings_.rule == RadiusRule::Pass ? radius_ : pixels_[offset(path.pixel)].statistics.radius;
+    const Real radius = settings_.rule == RadiusRule::Pass ? radius_ : pixels_[offset(path.pixel)].statistics.radius;
     return look(eyeRay(path, numbers, counts), scene().cameraMedia(), numbers, radius, counts);
 }
 

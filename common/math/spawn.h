@@ -5,8 +5,8 @@
 
 namespace caustic {
 
-/// How far a ray starts from the surface that it leaves, in magnitudes of the point: 1024 machine epsilons. The shapes of
-/// chapter 02 need 2 at most (its quantity.csv); the rest is for surfaces that a point is found on by iteration.
+/// How far a ray starts from the surface that it leaves, in magnitudes of the point: 1024 machine epsilons. The shapes
+/// of chapter 02 need 2 at most (its quantity.csv); the rest is for surfaces that a point is found on by iteration.
 inline constexpr Real surfaceOffset = 0x1p-42;
 
 /// The one rule for leaving a surface: the point, moved along ng to the side that `direction` goes to, by surfaceOffset

@@ -49,8 +49,8 @@ public:
     /// Into which directions it scatters; null when it doesn't scatter. The medium keeps it alive.
     virtual const PhaseFunction* phase() const { return nullptr; }
 
-    /// Scattering coefficient of each channel at a point, 1/m: for whoever looks along a ray at places of its own choice
-    /// and not at those that sampleDistance picks. 0 everywhere in a medium that doesn't scatter.
+    /// Scattering coefficient of each channel at a point, 1/m: for whoever looks along a ray at places of its own
+    /// choice and not at those that sampleDistance picks. 0 everywhere in a medium that doesn't scatter.
     virtual Color sigmaS(const Vec3&) const { return Color::Zero(); }
 };
 

@@ -1,8 +1,9 @@
 #include "medium/medium_stack.h"
 
 #include <algorithm>
+#include <string>
 
-#include "core/check.h"
+#include "core/error.h"
 #include "core/not_implemented.h"
 
 namespace caustic {
@@ -20,8 +21,12 @@ bool MediumStack::contains(ObjectId object) const {
 }
 
 void MediumStack::enter(ObjectId object, const Interior& interior) {
-    checkArgument(count_ < mostNested, "media", std::to_string(count_ + 1),
-                  "more objects overlap than are kept track of");
+    if (count_ == mostNested) {
+        throw InputError({"media", 0}, std::to_string(count_ + 1),
+                         contains(object)
+                             ? "an object is entered again and again and never left: its surface isn't closed"
+                             : "more objects overlap than are kept track of");
+    }
     entries_[static_cast<std::size_t>(count_++)] = {object, &interior};
 }
 

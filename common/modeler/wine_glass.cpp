@@ -13,8 +13,8 @@ namespace caustic {
 
 namespace {
 
-constexpr Real widen = 1.01;     // the wine's radius by the inner wall's
-constexpr Real sinks = 0.3e-3;   // how far its bottom reaches into the glass, m
+constexpr Real widen = 1.01;    // the wine's radius by the inner wall's
+constexpr Real sinks = 0.3e-3;  // how far its bottom reaches into the glass, m
 
 // Where a curve that rises or falls is at a height.
 Real parameterAt(const BezierCurve& curve, Real height) {

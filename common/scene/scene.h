@@ -26,7 +26,8 @@ struct MediumSpan {
 class Scene {
 public:
     /// An object's id is its place in the description's list; an instance within its shape may name another one.
-    /// @throws InputError when an object has no shape, neither material nor interior nor emission, an index of refraction
+    /// @throws InputError when an object has no shape, neither material nor interior nor emission, an index of
+    /// refraction
     ///         that isn't positive, an emission whose shape can't be sampled; when a light is missing; when the ambient
     ///         light is negative
     explicit Scene(SceneDescription description);

@@ -192,14 +192,18 @@ private:
         addRoot(u, profile, (h < 0) == (ray_.rise < 0) ? 1 : -1);
     }
 
-    // Adds the root with its place on the line: the projection of the meeting point onto the line, so that height
-    // and distance from the axis both have their say, each with the weight that it deserves.
+    // Adds the root with its place on the line, from the height or from the distance to the axis: that of the two which
+    // an error of u moves less. On a disc the height is exact, but where the line comes nearest to the axis the
+    // distance grows with the root of its own error: a ray that leaves the disc there would meet it again.
     void addRoot(Real u, const ProfileJet& profile, Real side) {
         const auto& [x, y] = profile;
         const Real h = y.value - ray_.baseHeight;
         if (!ray_.leaning) return roots_.add(u, h / ray_.rise);
         const Real square = (std::abs(x.value) - ray_.near) * (std::abs(x.value) + ray_.near);
-        roots_.add(u, ray_.rise * h + side * ray_.flat * std::sqrt(std::max(Real(0), square)));
+        const Real r = std::sqrt(std::max(Real(0), square));
+        // By du, h / rise moves by y' / rise du, and r / flat by x x' / (r flat) du.
+        const bool byHeight = std::abs(y.slope) * r * ray_.flat < std::abs(x.value * x.slope * ray_.rise);
+        roots_.add(u, byHeight ? h / ray_.rise : side * r / ray_.flat);
     }
 
     // Whether a circle comes as near to the axis as the line does, up to rounding.

@@ -24,7 +24,8 @@ TEST(StableNorm, IsTheSameNumberWhereverTheVectorLies) {
         // Neighbours of odd size in one array: the middle one begins at another place of a cache line each time.
         std::array<Vec3, 5> copies;
         copies.fill(v);
-        for (const Vec3& copy : copies) ASSERT_EQ(stableNorm(copy), length) << "Does the order of the sum depend on the address?";
+        for (const Vec3& copy : copies)
+            ASSERT_EQ(stableNorm(copy), length) << "Does the order of the sum depend on the address?";
     }
 }
 
@@ -34,8 +35,10 @@ TEST(StableNorm, AgreesWithHypotAtEveryScale) {
         const Vec3 v = anyVector(random);
         const Vec3 scaled = {std::scalbn(v.x(), exponent), std::scalbn(v.y(), exponent), std::scalbn(v.z(), exponent)};
         const Real expected = std::hypot(scaled.x(), scaled.y(), scaled.z());
-        const Real tolerance = 4 * std::numeric_limits<Real>::epsilon() * expected + std::numeric_limits<Real>::denorm_min();
-        EXPECT_NEAR(stableNorm(scaled), expected, tolerance) << "Does a square over- or underflow at 2^" << exponent << "?";
+        const Real tolerance =
+            4 * std::numeric_limits<Real>::epsilon() * expected + std::numeric_limits<Real>::denorm_min();
+        EXPECT_NEAR(stableNorm(scaled), expected, tolerance)
+            << "Does a square over- or underflow at 2^" << exponent << "?";
     }
 }
 

@@ -4,6 +4,7 @@
 #include <limits>
 #include <memory>
 #include <numbers>
+#include <string>
 
 #include "camera/box_filter.h"
 #include "camera/pinhole_camera.h"
@@ -158,7 +159,16 @@ TEST(MediumStack, HasABottom) {
     const Interior glass;
     MediumStack media;
     for (ObjectId i = 0; i < MediumStack::mostNested; ++i) media.enter(i, glass);
-    EXPECT_THROW(media.enter(99, glass), InputError);
+    const auto reasonFor = [&](ObjectId object) -> std::string {
+        try {
+            media.enter(object, glass);
+        } catch (const InputError& error) {
+            return error.reason();
+        }
+        return "";
+    };
+    EXPECT_NE(reasonFor(99).find("overlap"), std::string::npos);
+    EXPECT_NE(reasonFor(5).find("isn't closed"), std::string::npos);
     EXPECT_EQ(media.object(), 0) << "among equals the smallest id";
     media.leave(50);
     EXPECT_TRUE(media.contains(7));

@@ -12,7 +12,8 @@ namespace {
 TEST(RadiusRule, PassByPassAsTheoryHasIt) {
     for (const Real alpha : {0.01, 0.3, 2.0 / 3, 0.99}) {
         for (const Real first : {1e-4, 0.7, 30.0}) {
-            EXPECT_NEAR(radiusOfPass(first, alpha, 0) / first, 1, 1e-9) << "The first pass has the radius it starts with.";
+            EXPECT_NEAR(radiusOfPass(first, alpha, 0) / first, 1, 1e-9)
+                << "The first pass has the radius it starts with.";
             Real squared = 1;
             for (int i = 1; i <= 3000; ++i) {
                 squared *= (i + alpha) / (i + 1);

@@ -35,8 +35,9 @@ std::unique_ptr<Integrator> unbiased(const Scene& scene, const Sampler& sampler,
 
 // A diffuse box, the peers' box, a glossy floor, and a ball of red glass in a box.
 std::vector<test::AgreementScene> scenes() {
-    std::vector<test::AgreementScene> all = {{"diffuse box", DiffuseBox{}.scene(test::agreementSide, test::agreementSide)},
-                                             {"peers' box", peersBox(test::agreementSide, test::agreementSide)}};
+    std::vector<test::AgreementScene> all = {
+        {"diffuse box", DiffuseBox{}.scene(test::agreementSide, test::agreementSide)},
+        {"peers' box", peersBox(test::agreementSide, test::agreementSide)}};
     for (const test::AgreementScene& one : test::agreementScenes()) {
         if (one.name == "glossy") all.push_back(one);
     }

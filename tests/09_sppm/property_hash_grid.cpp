@@ -105,8 +105,8 @@ TEST(HashGrid, CollisionsCountOnce) {
 
 // Far out, and for radii without end, integers would overflow.
 TEST(HashGrid, TakesEveryFiniteNumber) {
-    const std::vector<Vec3> points = {
-        {1e300, 0, 0}, {-1e300, 1e300, 5}, {0, 0, 0}, {1, 2, 3}, {1e18, 1e18, -1e18}, {5e-324, 0, 0}};
+    const std::vector<Vec3> points = {{1e300, 0, 0}, {-1e300, 1e300, 5},  {0, 0, 0},
+                                      {1, 2, 3},     {1e18, 1e18, -1e18}, {5e-324, 0, 0}};
     for (const Real cell : {1e-12, 1.0, 1e290}) {
         const HashGrid grid(points, cell);
         for (const Vec3& query : points) {
@@ -126,8 +126,7 @@ TEST(HashGrid, RefusesWhatIsNoGrid) {
     constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
     constexpr Real infinity = std::numeric_limits<Real>::infinity();
     const std::vector<Vec3> points = {{0, 0, 0}};
-    for (const Real cell : {0.0, -1.0, nan, infinity, 1e-320})
-        EXPECT_THROW(HashGrid(points, cell), InputError) << cell;
+    for (const Real cell : {0.0, -1.0, nan, infinity, 1e-320}) EXPECT_THROW(HashGrid(points, cell), InputError) << cell;
     for (const Real bad : {nan, infinity}) {
         const std::vector<Vec3> worse = {{0, 0, 0}, {0, bad, 0}};
         EXPECT_THROW(HashGrid(worse, 1), InputError) << bad;

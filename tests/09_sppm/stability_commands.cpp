@@ -17,8 +17,8 @@ namespace {
 
 std::vector<std::string> render(const std::filesystem::path& out, std::vector<std::string> more,
                                 const std::string& photons = "3000") {
-    std::vector<std::string> command = {test::chapterProgram(), "--render", "thumbnail", "--threads", "1",
-                                        "--photons", photons, "--out", out.string()};
+    std::vector<std::string> command = {
+        test::chapterProgram(), "--render", "thumbnail", "--threads", "1", "--photons", photons, "--out", out.string()};
     command.insert(command.end(), more.begin(), more.end());
     return command;
 }
@@ -40,8 +40,8 @@ TEST(RenderCommand, GoesOnAfterAKill) {
         for (int trial = 0; trial < 10; ++trial) {
             const auto state = folder / (std::string(rule) + std::to_string(trial));
             std::vector<std::string> stoppable = wanted;
-            for (const std::string& one : {std::string("--checkpoint"), state.string(), std::string("--every"),
-                                           std::string("3")})
+            for (const std::string& one :
+                 {std::string("--checkpoint"), state.string(), std::string("--every"), std::string("3")})
                 stoppable.push_back(one);
             const auto out = folder / "resumed";
             std::filesystem::remove_all(out);
@@ -99,23 +99,22 @@ TEST(RenderCommand, RefusesAnotherPicturesCheckpoint) {
 }
 
 TEST(RenderCommand, BadInputIsOneLineAndWritesNothing) {
-    const std::vector<std::vector<std::string>> bad = {
-        {"--render", "no_such_scene", "--passes", "1"},
-        {"--render", "thumbnail"},
-        {"--render", "thumbnail", "--passes", "-1"},
-        {"--render", "thumbnail", "--passes", "1.5"},
-        {"--render", "thumbnail", "--time", "-1"},
-        {"--render", "thumbnail", "--passes", "1", "--alpha", "0"},
-        {"--render", "thumbnail", "--passes", "1", "--alpha", "1"},
-        {"--render", "thumbnail", "--passes", "1", "--alpha", "nan"},
-        {"--render", "thumbnail", "--passes", "1", "--radius", "-1"},
-        {"--render", "thumbnail", "--passes", "1", "--photons", "0"},
-        {"--render", "thumbnail", "--passes", "1", "--rule", "both"},
-        {"--render", "thumbnail", "--passes", "1", "--every", "0"},
-        {"--errors", "peers_box"},
-        {"--errors", "wine_glass", "--time", "1"},
-        {"--reference", "wine_glass"},
-        {"--reference", "peers_box", "--minutes", "0"}};
+    const std::vector<std::vector<std::string>> bad = {{"--render", "no_such_scene", "--passes", "1"},
+                                                       {"--render", "thumbnail"},
+                                                       {"--render", "thumbnail", "--passes", "-1"},
+                                                       {"--render", "thumbnail", "--passes", "1.5"},
+                                                       {"--render", "thumbnail", "--time", "-1"},
+                                                       {"--render", "thumbnail", "--passes", "1", "--alpha", "0"},
+                                                       {"--render", "thumbnail", "--passes", "1", "--alpha", "1"},
+                                                       {"--render", "thumbnail", "--passes", "1", "--alpha", "nan"},
+                                                       {"--render", "thumbnail", "--passes", "1", "--radius", "-1"},
+                                                       {"--render", "thumbnail", "--passes", "1", "--photons", "0"},
+                                                       {"--render", "thumbnail", "--passes", "1", "--rule", "both"},
+                                                       {"--render", "thumbnail", "--passes", "1", "--every", "0"},
+                                                       {"--errors", "peers_box"},
+                                                       {"--errors", "wine_glass", "--time", "1"},
+                                                       {"--reference", "wine_glass"},
+                                                       {"--reference", "peers_box", "--minutes", "0"}};
     for (const std::vector<std::string>& arguments : bad) {
         const test::TemporaryFolder folder;
         std::vector<std::string> command = arguments;

@@ -231,8 +231,8 @@ TEST(Sppm, ScenesWithoutBoundsHaveARadius) {
     EXPECT_GT(usualRadius(empty), 0);
     const auto sky = std::make_shared<ConstantEnvironment>(Color(1, 2, 3));
     const auto camera = std::make_shared<PinholeCamera>(Vec3(0, 1, 3), Vec3::Zero(), Vec3::UnitY(), 0.5, 4, 4);
-    const Scene scene({{diffuseRectangle({-1, 0, -1}, {0, 0, 2}, {2, 0, 0}, Color::Constant(0.7))}, {sky}, Color::Zero(),
-                       camera});
+    const Scene scene(
+        {{diffuseRectangle({-1, 0, -1}, {0, 0, 2}, {2, 0, 0}, Color::Constant(0.7))}, {sky}, Color::Zero(), camera});
     Sppm sppm(scene, sampler, filter, settings());
     const Image picture = pictureOf(sppm, 256);
     EXPECT_NEAR(picture.at(2, 2).x(), 0.7, 0.05);

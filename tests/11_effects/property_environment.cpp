@@ -13,7 +13,6 @@
 #include "integrator/sppm.h"
 #include "light/constant_environment.h"
 #include "light/environment_map.h"
-#include "test_maps.h"
 #include "material/diffuse_material.h"
 #include "material/rough_conductor_material.h"
 #include "modeler/objects.h"
@@ -24,6 +23,7 @@
 #include "support/agreement.h"
 #include "support/direction_chi_square.h"
 #include "support/path_mean.h"
+#include "test_maps.h"
 
 namespace caustic {
 namespace {

@@ -10,12 +10,12 @@
 #include "integrator/bidirectional_path_tracer.h"
 #include "integrator/path_tracer.h"
 #include "integrator/render.h"
-#include "test_maps.h"
 #include "modeler/diffuse_box.h"
 #include "modeler/objects.h"
 #include "sampling/independent_sampler.h"
 #include "sampling/sobol_sampler.h"
 #include "support/agreement.h"
+#include "test_maps.h"
 
 namespace caustic {
 namespace {

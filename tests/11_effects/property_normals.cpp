@@ -10,7 +10,6 @@
 #include "integrator/render.h"
 #include "integrator/sppm.h"
 #include "light/constant_environment.h"
-#include "test_maps.h"
 #include "material/dielectric_material.h"
 #include "material/diffuse_material.h"
 #include "material/mirror_material.h"
@@ -19,6 +18,7 @@
 #include "scene/normal_mapped_shape.h"
 #include "shape/instance.h"
 #include "shape/sphere.h"
+#include "test_maps.h"
 
 namespace caustic {
 namespace {

@@ -10,7 +10,6 @@
 #include "integrator/render.h"
 #include "light/area_light.h"
 #include "light/weighted_shape.h"
-#include "test_maps.h"
 #include "material/diffuse_material.h"
 #include "modeler/diffuse_box.h"
 #include "sampling/independent_sampler.h"
@@ -18,6 +17,7 @@
 #include "shape/sphere.h"
 #include "support/agreement.h"
 #include "support/density_test.h"
+#include "test_maps.h"
 #include "texture/constant_texture.h"
 #include "texture/image_texture.h"
 

@@ -6,8 +6,8 @@
 
 namespace caustic::test {
 
-/// A method of photons without its bias: the same photons and paths within three radii. Bias is b₁R + b₂R², of edges and
-/// of curvature; L(R)/3 − 2 L(R/2) + 8/3 L(R/4) has neither.
+/// A method of photons without its bias: the same photons and paths within three radii. Bias is b₁R + b₂R², of edges
+/// and of curvature; L(R)/3 − 2 L(R/2) + 8/3 L(R/4) has neither.
 template <typename Method>
 class Extrapolated final : public Integrator {
 public:

@@ -78,8 +78,7 @@ MeasuredRun runMeasured(const std::vector<std::string>& command, const std::file
     MeasuredRun run{0, contents(out.get()), contents(err.get()), 0};
     long kibibytes = 0;
     std::istringstream answer(contents(report.get()));
-    if (!(answer >> run.exitCode >> kibibytes))
-        throw std::runtime_error("the launcher failed: " + run.errors);
+    if (!(answer >> run.exitCode >> kibibytes)) throw std::runtime_error("the launcher failed: " + run.errors);
     run.peakMiB = static_cast<double>(kibibytes) / 1024;
     return run;
 }

@@ -47,8 +47,8 @@ std::int64_t byWholeLists(const std::vector<Vec3>& points, const Vec3& query, Re
         for (int y = low.y(); y <= high.y(); ++y) {
             for (int x = low.x(); x <= high.x(); ++x) {
                 for (const Vec3& point : points)
-                    count += slotOf(cubeOf(point)) == slotOf({x, y, z}) &&
-                             (point - query).squaredNorm() <= radius * radius;
+                    count +=
+                        slotOf(cubeOf(point)) == slotOf({x, y, z}) && (point - query).squaredNorm() <= radius * radius;
             }
         }
     }
@@ -85,7 +85,8 @@ std::vector<bool> collisions(Random& random) {
 // A point on a thin wall that is lit from behind as well. Its radius must shrink for the photons of this side only.
 // Fragile: all that lie within the radius count (as in a renderer in use).
 std::vector<bool> behindAWall(Random& random) {
-    const Scene scene({{diffuseRectangle({-1, 0, -1}, {0, 0, 2}, {2, 0, 0}, Color(0.8, 0.5, 0.3))}, {}, Color::Zero(), {}});
+    const Scene scene(
+        {{diffuseRectangle({-1, 0, -1}, {0, 0, 2}, {2, 0, 0}, Color(0.8, 0.5, 0.3))}, {}, Color::Zero(), {}});
     const IndependentSampler sampler(1);
     RayCounts counts;
     const Ray ray = {{0, 1, 0}, Vec3(random.uniform(-0.5, 0.5), -1, random.uniform(-0.5, 0.5)).normalized()};
@@ -190,18 +191,15 @@ std::vector<bool> alphas(Random& random) {
 }  // namespace
 
 std::vector<FailureKind> structureKinds() {
-    return {{"grid's border: a point just outside the box of a wall's photons",
-             {{"grid with a box around it", false}, {"hash grid", true}, {"KD-tree", true}},
-             border},
-            {"hash collisions: cubes that share a list",
-             {{"whole lists", false}, {"hash grid", true}},
-             collisions},
-            {"wrong side: a thin wall lit from behind; the radius afterwards",
-             {{"all photons within the radius count", false}, {"those that scatter to the eye count", true}},
-             behindAWall},
-            {"never hit: passes without a photon",
-             {{"rule ② as its formula stands", false}, {"rule ②", true}},
-             neverHit}};
+    return {
+        {"grid's border: a point just outside the box of a wall's photons",
+         {{"grid with a box around it", false}, {"hash grid", true}, {"KD-tree", true}},
+         border},
+        {"hash collisions: cubes that share a list", {{"whole lists", false}, {"hash grid", true}}, collisions},
+        {"wrong side: a thin wall lit from behind; the radius afterwards",
+         {{"all photons within the radius count", false}, {"those that scatter to the eye count", true}},
+         behindAWall},
+        {"never hit: passes without a photon", {{"rule ② as its formula stands", false}, {"rule ②", true}}, neverHit}};
 }
 
 std::vector<FailureKind> settingKinds() {

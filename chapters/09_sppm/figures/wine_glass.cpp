@@ -24,8 +24,7 @@ Image glassPicture(const std::string& name, int width, int height, std::int64_t 
 void drawWineGlass(FigureContext& context) {
     const int width = context.byQuality(225, 480);
     context.progress().expect(pictureSteps);
-    const Image picture =
-        glassPicture("wine_glass", width, width * 4 / 3, context.byQuality(8, 160), 1 << 18, context);
+    const Image picture = glassPicture("wine_glass", width, width * 4 / 3, context.byQuality(8, 160), 1 << 18, context);
     saveImage(context.output("wine_glass.png"), picture);
 }
 

@@ -22,11 +22,11 @@ SceneDescription mirrorCaustic(int width) {
     const Real height = 1 - behind;
     const Vec3 eye(0.3, 0, 1 - 2 * behind);
     const Real half = 1.2 * behind * CausticScene::shown;
-    scene.objects.push_back({std::make_shared<Rectangle>(Vec3(0.3 - half, -half, height), Vec3(0, 2 * half, 0),
-                                                         Vec3(2 * half, 0, 0)),
-                             std::make_shared<MirrorMaterial>(Color::Ones()),
-                             {},
-                             nullptr});
+    scene.objects.push_back(
+        {std::make_shared<Rectangle>(Vec3(0.3 - half, -half, height), Vec3(0, 2 * half, 0), Vec3(2 * half, 0, 0)),
+         std::make_shared<MirrorMaterial>(Color::Ones()),
+         {},
+         nullptr});
     scene.camera = std::make_shared<PinholeCamera>(eye, eye + Vec3::UnitZ(), Vec3::UnitY(),
                                                    2 * std::atan(CausticScene::shown), width, width);
     return scene;

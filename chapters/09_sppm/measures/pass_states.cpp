@@ -1,8 +1,8 @@
 #include "measures/pass_states.h"
 
+#include <unistd.h>
 #include <algorithm>
 #include <fstream>
-#include <unistd.h>
 
 #include "camera/box_filter.h"
 #include "core/progress.h"
@@ -28,9 +28,8 @@ std::array<Real, 5> radiiOf(const Sppm& sppm, std::int64_t passes) {
     std::vector<Real> radii;
     const SppmSettings& settings = sppm.settings();
     for (int i = 0; i < width * width; ++i) {
-        radii.push_back(settings.rule == RadiusRule::Pass
-                            ? radiusOfPass(settings.radius, settings.alpha, passes)
-                            : sppm.statistics({i % width, i / width}).radius);
+        radii.push_back(settings.rule == RadiusRule::Pass ? radiusOfPass(settings.radius, settings.alpha, passes)
+                                                          : sppm.statistics({i % width, i / width}).radius);
     }
     std::sort(radii.begin(), radii.end());
     const std::size_t last = radii.size() - 1;

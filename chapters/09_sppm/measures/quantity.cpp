@@ -36,24 +36,24 @@ void addClaims(CsvTable& table, const std::vector<ErrorPoint>& all) {
 }  // namespace
 
 void tabulateQuantities(ChapterRuns& runs, FigureContext& context) {
-    writeQuantities(
-        {[&](CsvTable& table) {
-             for (const BiasCurve& curve : runs.bias(context)) {
-                 const std::string alpha = curve.alpha < 1 ? ", α = " + formatReal(curve.alpha) : "";
-                 table.addRow(curve.method + alpha, "slope of bias", curve.slope, "of log bias over log passes",
-                              formatReal(curve.alpha - 1) + " by theory");
-                 table.addRow(curve.method + alpha, "bias of the first pass", curve.bias.front(),
-                              "share of the radiance", formatReal(curve.firstExpected) + " in closed form");
-             }
-         },
-         [&](CsvTable& table) {
-             const std::vector<ErrorPoint>& all = runs.mirrorErrors(context);
-             addClaims(table, all);
-             for (const Method method : allMethods)
-                 table.addRow(nameOf(method), "caustic in a mirror: error at the end", lastOf(all, method).error,
-                              "radiance (rms)", "after " + std::to_string(lastOf(all, method).passes) + " passes");
-         }},
-        context);
+    writeQuantities({[&](CsvTable& table) {
+                         for (const BiasCurve& curve : runs.bias(context)) {
+                             const std::string alpha = curve.alpha < 1 ? ", α = " + formatReal(curve.alpha) : "";
+                             table.addRow(curve.method + alpha, "slope of bias", curve.slope,
+                                          "of log bias over log passes", formatReal(curve.alpha - 1) + " by theory");
+                             table.addRow(curve.method + alpha, "bias of the first pass", curve.bias.front(),
+                                          "share of the radiance", formatReal(curve.firstExpected) + " in closed form");
+                         }
+                     },
+                     [&](CsvTable& table) {
+                         const std::vector<ErrorPoint>& all = runs.mirrorErrors(context);
+                         addClaims(table, all);
+                         for (const Method method : allMethods)
+                             table.addRow(nameOf(method), "caustic in a mirror: error at the end",
+                                          lastOf(all, method).error, "radiance (rms)",
+                                          "after " + std::to_string(lastOf(all, method).passes) + " passes");
+                     }},
+                    context);
 }
 
 }  // namespace caustic

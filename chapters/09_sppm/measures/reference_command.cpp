@@ -27,7 +27,8 @@ float rounded(float value) {
 
 Image mean(const Image& one, const Image& other) {
     Image both(one.width(), one.height());
-    for (std::size_t i = 0; i < both.data().size(); ++i) both.data()[i] = rounded((one.data()[i] + other.data()[i]) / 2);
+    for (std::size_t i = 0; i < both.data().size(); ++i)
+        both.data()[i] = rounded((one.data()[i] + other.data()[i]) / 2);
     return both;
 }
 

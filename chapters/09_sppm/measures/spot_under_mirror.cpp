@@ -21,10 +21,10 @@ Scene SpotUnderMirror::scene() const {
                       std::make_shared<MirrorMaterial>(Color::Ones()),
                       {},
                       nullptr}};
-    scene.lights = {std::make_shared<ConeLight>(Vec3(0, lampHeight, 0), Vec3::UnitY(), halfAngle,
-                                                Color::Constant(intensity))};
-    scene.camera = std::make_shared<PinholeCamera>(Vec3(0.5, 0.4 * mirrorHeight, 0), Vec3::Zero(), Vec3::UnitY(), 1e-5,
-                                                   1, 1);
+    scene.lights = {
+        std::make_shared<ConeLight>(Vec3(0, lampHeight, 0), Vec3::UnitY(), halfAngle, Color::Constant(intensity))};
+    scene.camera =
+        std::make_shared<PinholeCamera>(Vec3(0.5, 0.4 * mirrorHeight, 0), Vec3::Zero(), Vec3::UnitY(), 1e-5, 1, 1);
     return Scene(scene);
 }
 

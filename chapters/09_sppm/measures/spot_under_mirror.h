@@ -5,15 +5,15 @@
 
 namespace caustic {
 
-/// One pixel whose answer is known: a floor, y = 0, that a spotlight lights over a horizontal mirror above it. The mirror
-/// shows the lamp straight above the pixel's place at the height h; so at the distance r from there the irradiance is
-/// I h/(h² + r²)^(3/2), and its mean over a disc is known as well.
+/// One pixel whose answer is known: a floor, y = 0, that a spotlight lights over a horizontal mirror above it. The
+/// mirror shows the lamp straight above the pixel's place at the height h; so at the distance r from there the
+/// irradiance is I h/(h² + r²)^(3/2), and its mean over a disc is known as well.
 struct SpotUnderMirror {
-    Real mirrorHeight = 0.25;     ///< m
-    Real lampHeight = 0.2;        ///< m, below the mirror
-    Real halfAngle = 0.7;         ///< of the spotlight's cone
+    Real mirrorHeight = 0.25;  ///< m
+    Real lampHeight = 0.2;     ///< m, below the mirror
+    Real halfAngle = 0.7;      ///< of the spotlight's cone
     Real floorReflectance = 0.6;
-    Real intensity = 1;           ///< W/sr
+    Real intensity = 1;  ///< W/sr
 
     /// Height of the lamp's image, m.
     Real apparent() const { return 2 * mirrorHeight - lampHeight; }

@@ -27,7 +27,8 @@ struct Cloud {
 
     explicit Cloud(const std::vector<Vec3>& from) {
         for (const Vec3& point : from)
-            points.push_back({static_cast<Number>(point.x()), static_cast<Number>(point.y()), static_cast<Number>(point.z())});
+            points.push_back(
+                {static_cast<Number>(point.x()), static_cast<Number>(point.y()), static_cast<Number>(point.z())});
     }
     std::size_t kdtree_get_point_count() const { return points.size(); }
     Number kdtree_get_pt(std::size_t i, std::size_t axis) const { return points[i][axis]; }
@@ -38,8 +39,7 @@ struct Cloud {
 };
 
 template <typename Number>
-using Peer =
-    nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<Number, Cloud<Number>>, Cloud<Number>, 3>;
+using Peer = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<Number, Cloud<Number>>, Cloud<Number>, 3>;
 
 struct Points {
     std::string name;
@@ -173,7 +173,8 @@ private:
                 next = (next + 1) % queries_.size();
             };
         };
-        const std::vector<double> times = medianNanoseconds({round(own), round(floats), round(doubles)}, {rounds, 2e-2});
+        const std::vector<double> times =
+            medianNanoseconds({round(own), round(floats), round(doubles)}, {rounds, 2e-2});
         return {times[0], times[1], times[2]};
     }
 
