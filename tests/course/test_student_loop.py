@@ -137,6 +137,8 @@ class Loop(ToyCase):
         self.run_course("check", "01", "--no-pictures", code=1)
         solve(self.tree, self.toy, "ex-01.1")
         self.run_course("check", "01", "--no-pictures", code=1)
+        solve(self.tree, self.toy, "ex-02.1")
+        self.assertNotIn("changed since", self.run_course("status"), "Does a later chapter change an earlier one's results?")
         self.run_course("reset", "1.1")
         status = self.run_course("status")
         self.assertNotIn("changed since", status)

@@ -3,7 +3,7 @@
 Parts: the build, each header by itself, who includes whom, the C++ tests by kind, the tests of the course's tools.
 What passed is not run again until one of its inputs changes (build/green.json; --again runs it all the same).
 --full adds a queue of heavy checks: the sanitizers, a debug build, clang-tidy, all mutants, the tests labelled large, a build
-without precompiled headers, line coverage by the chapters. One that was stopped is gone on with by the next --full.
+without precompiled headers, line coverage by the chapters, a student's way through all of them. One that was stopped is gone on with by the next --full.
 """
 
 import sys
@@ -19,7 +19,7 @@ from course_lib.errors import CourseError
 from course_lib.green import Memory
 from course_lib.packages import ensure_packages
 from course_lib.paths import ROOT, build_dir, declarations
-from course_lib.process import run as run_program
+from course_lib.process import run as run_program, run_visibly
 from course_lib.queue import Queue, full_checks
 from course_lib.terminal import count, format_duration, say, table
 
@@ -38,6 +38,8 @@ def add_arguments(parser):
     parser.add_argument("--limit", type=float, metavar="S", help="with --full: stop a heavy check that still runs after S seconds")
     parser.add_argument("--large", action="store_true", help="the large tests, and nothing else")
     parser.add_argument("--coverage", action="store_true", help="line coverage by the chapters, and nothing else")
+    parser.add_argument("--walk", action="store_true",
+                        help="a student's way through all chapters, and nothing else: about an hour")
     parser.add_argument("--again", action="store_true", help="run also what passed and has not changed since")
     parser.add_argument("--preset", choices=("release", *FULL_PRESETS), default="release",
                         help="run the C++ tests as another preset builds them, and nothing else")
@@ -50,6 +52,8 @@ def run(args):
     chapters = choose_chapters(args.chapters)
     parts = Parts(args.again)
     ensure_packages("full" if args.full or args.coverage else "test")
+    if args.walk:
+        return walk(args.chapters)
     if args.preset != "release":
         run_preset(parts, args.preset, chapters)
     elif args.large:
@@ -62,6 +66,16 @@ def run(args):
         if args.full:
             run_full(parts, chapters, args)
     return parts.report()
+
+
+def walk(chapters):
+    """tests/course/walk.py counts for itself: it is no test of a part, but one way from the first exercise to the last."""
+    script = ROOT / "tests" / "course" / "walk.py"
+    if chapters:
+        raise CourseError("--walk goes through all chapters, one after the other; name none")
+    if not script.exists():
+        raise CourseError("--walk tests the course's own tree, and this is a student's")
+    return run_visibly([sys.executable, "-B", script])
 
 
 class Parts:

@@ -60,7 +60,8 @@ def full_checks(numbers, large, everything):
         chapter_check("thread", number, "test", "--preset", "thread"),
         chapter_check("debug", number, "test", "--preset", "debug"))]
     whole = [Check("without precompiled headers", ("build", "--preset", "plain"), source_files),
-             Check("coverage by the chapters", ("test", "--coverage"), source_files)]
+             Check("coverage by the chapters", ("test", "--coverage"), source_files),
+             Check("a student's way through all chapters", ("test", "--walk"), source_files)]
     return first + later + (whole if everything else [])
 
 

@@ -193,10 +193,14 @@ def run_tests(catalog, test_program, scratch, limit_of=lambda test: test.time_li
         pool = stack.enter_context(concurrent.futures.ThreadPoolExecutor(jobs or cores()))
         waiting = {pool.submit(run_one, test): test for test in catalog.tests}
         outcomes = {}
-        for finished in concurrent.futures.as_completed(waiting):
-            outcomes[waiting[finished].name] = finished.result()
-            if step:
-                step.progress(len(outcomes), len(waiting))
+        try:
+            for finished in concurrent.futures.as_completed(waiting):
+                outcomes[waiting[finished].name] = finished.result()
+                if step:
+                    step.progress(len(outcomes), len(waiting))
+        except KeyboardInterrupt:
+            pool.shutdown(wait=False, cancel_futures=True)  # those that run end by their limit; no other one begins
+            raise
     return [GradedOutcome(test, outcomes[test.name]) for test in catalog.tests]
 
 

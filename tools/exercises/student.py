@@ -15,6 +15,7 @@ from dataclasses import dataclass
 
 from course_lib.errors import CourseError
 from course_lib.paths import ROOT
+from exercises.building import PRESET
 from exercises.trees import source_files, starter_overlay
 from strip import exercises_of_tree, read_source
 
@@ -175,14 +176,24 @@ class Results:
 
 
 def inputs_key(catalog, root=ROOT):
-    """Hash of all that decides a chapter's results: the library, the graded tests and what they are built with."""
+    """Hash of all that decides a chapter's results: its library, the graded tests and what they are built with."""
+    tags = file_tags(root)
     files = [name for name in source_files(root)
              if name.startswith(("common/", "cmake/", "tests/support/", f"tests/{catalog.chapter}/graded_"))
+             and tags.get(name, {"chapter": 0})["chapter"] <= int(catalog.number)
              or name in ("CMakeLists.txt", "CMakePresets.json", f"tests/{catalog.chapter}/grading.json")]
     total = hashlib.sha256()
     for name in files:
         total.update(f"{name} {hashlib.sha256((root / name).read_bytes()).hexdigest()}\n".encode())
     return total.hexdigest()
+
+
+def file_tags(root):
+    """path -> the chapter that a file came with, as CMake wrote it at the last check; a later chapter's changes nothing."""
+    try:
+        return json.loads((root / "build" / PRESET / "declarations.json").read_text())["files"]
+    except (OSError, ValueError, KeyError):
+        return {}
 
 
 def remember(grade, root=ROOT):
