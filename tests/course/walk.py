@@ -94,8 +94,9 @@ class Walk:
         """A loop without an end, interrupted: nothing is lost, and nothing is known of it."""
         before = self.ask("status")
         self.write(id, ENDLESS)
-        asked = subprocess.Popen(self.command("check", catalog.number), cwd=self.tree, stdin=subprocess.DEVNULL,
-                                 stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, start_new_session=True)
+        asked = subprocess.Popen(self.command("check", catalog.number, "--no-pictures"), cwd=self.tree, stdin=subprocess.DEVNULL,
+                                 stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, start_new_session=True,
+                                 preexec_fn=can_be_interrupted)
         time.sleep(3)  # it takes 10 s at the least, for that is a test's time limit
         os.killpg(asked.pid, signal.SIGINT)
         said, _ = asked.communicate()
@@ -162,6 +163,11 @@ class Walk:
     def expect(self, holds, what, said):
         if not holds:
             raise Lost(f"after {self.done} of {len(self.steps)} exercises: not as it should be: {what}. It said:\n{said}")
+
+
+def can_be_interrupted():
+    """What runs in the background has its interrupts ignored, and so has all that it starts."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 
 def main(arguments):

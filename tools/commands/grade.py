@@ -7,6 +7,7 @@ what a grade can be trusted with, and how to grade on Gradescope or in a contain
 
 import argparse
 import dataclasses
+from pathlib import Path
 
 from course_lib.chapters import add_chapters_argument, choose_chapters
 from course_lib.errors import CourseError
@@ -16,6 +17,7 @@ from course_lib.terminal import count, printable, say
 from exercises import hand_ins, overview, reports, sandbox, student
 from exercises.catalog import catalog_path, read_catalog
 from exercises.grading import MOST_BUILD_TIME, MOST_TEST_TIME, Conditions, grade_spliced, worthless
+from exercises.hidden import with_hidden
 from exercises.splicing import Spliced
 from exercises.submission import Refused, read_submission
 from exercises.trees import work_folder
@@ -41,6 +43,8 @@ def add_arguments(parser):
     parser.add_argument("--all", metavar="DIR", action=Once, help="grade each student's tree and each ZIP file in a folder")
     parser.add_argument("--on-reference", action="store_true",
                         help="grade a chapter on the reference's earlier chapters, not on the submission's own")
+    parser.add_argument("--hidden", metavar="DIR", action=Once,
+                        help="grade by the tests in DIR/NN_name/ as well, which students don't know")
     parser.add_argument("--json", metavar="FILE", action=Once, help="write the grades as JSON")
     parser.add_argument("--gradescope", metavar="FILE", action=Once, help="write Gradescope's results.json")
     parser.add_argument("--junit", metavar="FILE", action=Once, help="write JUnit XML")
@@ -63,6 +67,9 @@ def run(args):
     check_arguments(args)
     chapters = graded_chapters(args.chapters)
     catalogs = [read_catalog(chapter) for chapter in chapters]
+    if args.hidden:
+        catalogs = [with_hidden(catalog, args.hidden) for catalog in catalogs]
+        require_hidden(catalogs, args.hidden)
     ensure_packages("grade" if is_of_others(args) and not args.unsandboxed else "build")
     conditions = conditions_of(args)
     return grade_folder(args, catalogs, conditions) if args.all else grade_one(args, catalogs, conditions)
@@ -110,6 +117,13 @@ def grade_folder(args, catalogs, conditions):
     return 1 if failed else 0
 
 
+def require_hidden(catalogs, folder):
+    """@throws CourseError when none of the chapters has a hidden test: the folder is another than was meant"""
+    if not any(test.hidden for catalog in catalogs for test in catalog.tests):
+        names = ", ".join(catalog.chapter for catalog in catalogs)
+        raise CourseError(f"{folder} has no hidden tests of {names}; they lie in a folder of the chapter's name in it")
+
+
 def is_of_others(args):
     return bool(args.submission or args.all)
 
@@ -126,7 +140,7 @@ def check_arguments(args):
         return
     if not is_of_others(args):
         raise CourseError("--on-reference needs --submission or --all: this tree's own earlier chapters are all there is")
-    if student.is_student_tree():
+    if student.is_student_tree() and any(chapter[:2] > student.first_chapter() for chapter in graded_chapters(args.chapters)):
         raise CourseError("--on-reference needs the reference, and this is a student's tree; grade in the course's own tree")
 
 
@@ -159,7 +173,7 @@ def hand_in(submission, catalog, on_reference, root=ROOT):
     if not submission:
         return Spliced()
     numbers = [f"{n:02}" for n in range(1, int(catalog.number) + 1)]
-    return read_submission(submission, [catalog.number] if on_reference else numbers, root)
+    return read_submission(hand_ins.unwrapped(Path(submission)), [catalog.number] if on_reference else numbers, root)
 
 
 def show(grade):

@@ -2,7 +2,7 @@
 
 import json
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from course_lib.errors import CourseError
 from course_lib.paths import ROOT
@@ -32,6 +32,7 @@ class GradedTest:
     look_at: str
     time_limit: float = DEFAULT_TIME_LIMIT  # seconds
     memory_limit: int = DEFAULT_MEMORY_LIMIT  # MiB
+    hidden: bool = False  # an instructor's own, which no student sees
 
 
 @dataclass(frozen=True)
@@ -39,6 +40,7 @@ class Catalog:
     chapter: str  # "01_bezier_curves"
     exercises: dict  # id -> ExerciseText, in the course's order
     tests: tuple  # of GradedTest, in the order in which a student meets them
+    files: dict = field(default_factory=dict)  # path -> bytes: sources of hidden tests, beside the tree's own
 
     @property
     def number(self):
@@ -81,14 +83,19 @@ def parse_catalog(data, chapter):
     expect(isinstance(data.get("tests"), list), "'tests' must be a list")
     exercises = {id: parse_exercise(id, data["exercises"][id], chapter) for id in data["exercises"]}
     tests = tuple(parse_test(test, exercises) for test in data["tests"])
-    names = [test.name for test in tests]
-    for name in names:
-        expect(names.count(name) == 1, f"test {name} is listed twice")
+    check_unique(tests)
     for id in exercises:
         expect(any(test.exercise == id for test in tests), f"exercise {id} has no test")
     total = sum(test.points for test in tests)
     expect(total == TOTAL_POINTS, f"the points of all tests sum to {total}, not to {TOTAL_POINTS}")
     return Catalog(chapter, {id: exercises[id] for id in sorted(exercises, key=order_key)}, tests)
+
+
+def check_unique(tests):
+    """@throws ValueError when two have one name"""
+    names = [test.name for test in tests]
+    for name in names:
+        expect(names.count(name) == 1, f"test {name} is listed twice")
 
 
 def parse_exercise(id, data, chapter):

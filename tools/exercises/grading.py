@@ -7,10 +7,12 @@ import os
 import time
 from dataclasses import dataclass, field
 
+from course_lib.errors import CourseError
 from course_lib.paths import ROOT, cores
 from course_lib.terminal import Step
 from exercises.building import build_tree, excerpt, failures, first_error, mentions, program
 from exercises.catalog import GradedTest
+from exercises.hidden import is_hidden
 from exercises.splicing import encoded, without_exercise
 from exercises.trees import files_to_build, lay_out
 from exercises.verdicts import NO_VERDICT, NOT_BUILT, NOT_IMPLEMENTED, REFUSED, TIMED_OUT, Outcome, run_test
@@ -97,7 +99,10 @@ def grade_spliced(catalog, spliced, folder, conditions=Conditions(), root=ROOT):
     """
     tree = folder / "tree"
     names = files_to_build(root)
-    building = build_bodies(catalog, dict(spliced.texts), tree, lambda overlay: lay_out(tree, names, overlay, root), conditions)
+    building = build_bodies(catalog, dict(spliced.texts), tree,
+                            lambda overlay: lay_out(tree, names, {**overlay, **catalog.files}, root), conditions)
+    if not building.built and is_hidden(building.error):
+        raise CourseError(f"a hidden test does not build: {building.error}")
     if not building.built:
         return worthless(catalog, NOT_BUILT, building.error, building.excerpt, spliced.notes, spliced.looks)
     known = {id: Outcome(REFUSED, reason) for id, reason in spliced.refused.items()}

@@ -120,7 +120,7 @@ def prepare(catalog, tree, conditions, root):
     """
     if (tree / "build" / PRESET).exists():
         return
-    lay_out(tree, files_to_build(root), starter_overlay(root), root)
+    lay_out(tree, files_to_build(root), {**starter_overlay(root), **catalog.files}, root)
     built = build_tree(tree, [catalog.target], "", sandboxed=conditions.sandboxed, jobs=conditions.jobs)
     if built.error:
         raise CourseError(f"{catalog.chapter} does not build with stubs: {built.error}")

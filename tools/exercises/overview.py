@@ -5,7 +5,7 @@ import html
 import io
 
 from course_lib.terminal import table
-from exercises.reports import details, errors_and_notes, points_text, summary
+from exercises.reports import details, errors_and_notes, points_text, shown_name, summary
 
 PAGE = """<!DOCTYPE html>
 <html lang="en">
@@ -118,5 +118,5 @@ def section(number, hand_in):
 def test_row(graded):
     outcome = graded.outcome
     kind, said = ("passed", "") if outcome.passed else ("lost", f"<pre>{html.escape(details(graded))}</pre>")
-    return (f'<tr class="{kind}"><td>{html.escape(graded.test.name)}<td>{graded.test.exercise}'
+    return (f'<tr class="{kind}"><td>{html.escape(shown_name(graded.test))}<td>{graded.test.exercise}'
             f'<td class="points">{points_text(graded.points, graded.test.points)}<td>{outcome.state}{said}')

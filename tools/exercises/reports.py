@@ -21,9 +21,13 @@ def points_text(points, most):
 
 def grade_table(grade):
     """One row a test: test, exercise, points, what became of it."""
-    rows = [[o.test.name, o.test.exercise, f"{o.points}/{o.test.points}", o.outcome.state, shortened(o.outcome.reason)]
+    rows = [[shown_name(o.test), o.test.exercise, f"{o.points}/{o.test.points}", o.outcome.state, shortened(o.outcome.reason)]
             for o in grade.outcomes]
     return table(rows, ["test", "exercise", "points", "outcome", "reason"], right=(2,))
+
+
+def shown_name(test):
+    return f"{test.name} (hidden)" if test.hidden else test.name
 
 
 def shortened(text):
@@ -32,6 +36,12 @@ def shortened(text):
 
 def summary(grade):
     return f"{grade.chapter}: {points_text(grade.points, grade.catalog.points)}"
+
+
+def public_summary(grade):
+    """The points of the tests that a student may see."""
+    seen = [o for o in grade.outcomes if not o.test.hidden]
+    return f"{grade.chapter}: {points_text(sum(o.points for o in seen), sum(o.test.points for o in seen))}"
 
 
 def details(graded):
@@ -76,6 +86,7 @@ def chapter_json(grade):
                            "maxPoints": sum(o.test.points for o in grade.of_exercise(id))} for id in grade.catalog.exercises},
         "tests": [{
             "name": o.test.name,
+            "hidden": o.test.hidden,
             "exercise": o.test.exercise,
             "points": o.points,
             "maxPoints": o.test.points,
@@ -102,9 +113,9 @@ def to_gradescope(grades, sandbox):
                 "output": details(o),
                 "output_format": "text",
                 "tags": [grade.chapter, o.test.exercise],
-                "visibility": "visible",
+                "visibility": "hidden" if o.test.hidden else "visible",
             })
-    lines = [line for grade in grades for line in [summary(grade), *errors_and_notes(grade)]] + [f"sandbox: {sandbox}"]
+    lines = [line for grade in grades for line in [public_summary(grade), *errors_and_notes(grade)]] + [f"sandbox: {sandbox}"]
     return {
         "score": sum(grade.points for grade in grades),
         "output": "\n".join(lines),
