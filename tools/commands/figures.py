@@ -4,14 +4,15 @@ At report quality (the default) they go to figures/, as drafts to build/figures/
 inputs changed: sources, assets, seed, quality. Both the provenance.json beside the figures says.
 
 A chapter is drawn as soon as it is built, while others still wait to be. Where its committed figures are up to date, that is a
-draft: what this machine makes of it. build/figures/index.html shows all figures.
+draft: what this machine makes of it. build/figures/index.html shows all figures. --report makes one page of the committed
+ones, with their data and what made them, and prints it as PDF where Chromium is installed.
 """
 
 import re
 import shutil
 import webbrowser
 
-from course_lib import cmake, provenance
+from course_lib import cmake, figure_report, provenance
 from course_lib.chapters import add_chapters_argument, all_chapters, choose_chapters
 from course_lib.compare import Tolerances, compare_pictures, compare_tables
 from course_lib.errors import CourseError
@@ -37,6 +38,8 @@ def add_arguments(parser):
     parser.add_argument("--seed", type=int, default=1, metavar="S", help="seed of all random numbers (default: 1)")
     parser.add_argument("--check", action="store_true",
                         help="draw nothing; name stale figures, then compare the numbers of a draft with the committed ones")
+    parser.add_argument("--report", action="store_true",
+                        help="draw nothing; write all committed figures with their data and provenance to build/report/")
     parser.add_argument("--full", action="store_true", help="with --check: draw again at report quality, compare pictures")
 
 
@@ -44,6 +47,8 @@ def run(args):
     if args.full and not args.check:
         raise CourseError("--full belongs to --check; run ./course figures --check --full")
     chapters = choose_chapters(args.chapters)
+    if args.report:
+        return figure_report.write(chapters, args)
     if args.only:
         require_known(args.only, {chapter: spelled_figures(chapter) for chapter in chapters})
     ensure_packages("build")

@@ -20,6 +20,11 @@ FLAGS = ("--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-
 READS_FROM, WRITES_TO = 3, 4
 
 
+def installed():
+    """The path of a Chromium; None when there is none."""
+    return next((path for path in map(shutil.which, PROGRAMS) if path), None)
+
+
 class Browser:
     """One Chromium with one page. Use it in a `with`.
 
@@ -27,7 +32,7 @@ class Browser:
     """
 
     def __init__(self, size=(1400, 1000), timeout=30):
-        program = next((path for path in map(shutil.which, PROGRAMS) if path), None)
+        program = installed()
         if program is None:
             raise CourseError("there is no Chromium; ./course setup --group test installs it")
         self.messages = []
@@ -113,6 +118,14 @@ class Browser:
     def screenshot(self, path):
         """Saves what the window shows as PNG."""
         answer = self.call("Page.captureScreenshot", {"format": "png"})
+        Path(path).write_bytes(base64.b64decode(answer["data"]))
+
+    def pdf(self, path):
+        """Prints the page as PDF, with numbered pages, in the size that its style sheet asks for."""
+        footer = '<div style="font-size: 8px; width: 100%; text-align: center"><span class="pageNumber"></span></div>'
+        answer = self.call("Page.printToPDF", {"printBackground": True, "preferCSSPageSize": True, "displayHeaderFooter": True,
+                                               "headerTemplate": "<span></span>", "footerTemplate": footer,
+                                               "generateDocumentOutline": True})
         Path(path).write_bytes(base64.b64decode(answer["data"]))
 
     def call(self, method, parameters=None):
