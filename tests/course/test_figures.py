@@ -160,7 +160,7 @@ class Drawing(TemporaryTree):
     def test_a_chapter_is_drawn_before_the_next_is_built(self):
         done = []
         args = SimpleNamespace(chapters=[], quality="draft", only=[], check=False, full=False, force=False, seed=1, threads=None,
-                               open=False)
+                               open=False, report=False)
         replaced = {"choose_chapters": lambda words: ["01_curves", "02_rays"], "ensure_packages": lambda group: None,
                     "all_chapters": lambda: [], "table_of_contents": lambda chapter: {},
                     "draw_chapter": lambda chapter, table, args: done.append(f"draw {chapter}"),
