@@ -7,9 +7,11 @@ from pathlib import Path
 
 from course_lib.paths import ROOT
 from docs.doxygen_warnings import relevant_warnings
+from docs.exercise_table import ExerciseTable, code_lines
 from docs.links import dead_links
 from docs.parts import declared_names
 from docs.topic_map import reduced
+from docs.tree import Tree
 
 from docs_tree import CURVE_HEADER, SmallTree
 
@@ -51,6 +53,20 @@ class Doxygen(SmallTree):
         self.write("common/curve/curve.h", CURVE_HEADER.replace("Twice", "Twice <out>"))
         problems = self.builder().build()
         self.assertTrue(any(problem.startswith("common/curve/curve.h:5: ") for problem in problems), problems)
+
+
+class Exercises(unittest.TestCase):
+    """The page that lists all exercises."""
+
+    def test_only_lines_with_code_count(self):
+        self.assertEqual(code_lines("// Why.\n\nconst int a = 1;  // one\n/* two\n   lines */\nreturn a;\n"), 2)
+
+    def test_each_chapter_has_its_exercises_and_a_hundred_points(self):
+        page = ExerciseTable(Tree(ROOT)).page()
+        chapters = page.count("\n## ")
+        self.assertEqual(page.count(" | 100 |\n"), chapters)
+        self.assertGreaterEqual(page.count("| ex-"), 6 * chapters)
+        self.assertNotIn("| 0 |", page)
 
 
 class Warnings(unittest.TestCase):

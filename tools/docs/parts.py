@@ -3,6 +3,7 @@
 import html
 import re
 
+from docs.exercise_table import ExerciseTable
 from docs.figure_gallery import Gallery
 from docs.integrators import Integrators
 from docs.markdown import RAW_HTML
@@ -32,6 +33,7 @@ class Parts:
     def generators(self):
         return {"topics": lambda page: self._map.graph(), "places": lambda page: self._map.places(),
                 "library": lambda page: self.library(), "gallery": lambda page: self._gallery.page(),
+                "exercises": lambda page: ExerciseTable(self._tree).page(),
                 "integrators": lambda page: self._integrators.page()}
 
     def pictures(self):
