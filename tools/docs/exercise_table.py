@@ -25,7 +25,7 @@ class ExerciseTable:
                  f"| {code_lines(snippet.code)} | {text.minutes} | {points} |" for exercise, text, snippet, points in rows]
         total = (f"| | together | | {sum(code_lines(snippet.code) for _, _, snippet, _ in rows)} "
                  f"| {sum(text.minutes for _, text, _, _ in rows)} | {sum(points for *_, points in rows)} |")
-        return "\n".join([f'\n## <a href="{page.url}">{page.title}</a> {{#exercises-{chapter}}}\n',
+        return "\n".join([f'\n## {page.title} {{#exercises-{chapter}}}\n\n<a href="{page.url}">The lesson</a>\n',
                           "| exercise | what the student writes | where | lines | minutes | points |",
                           "| :-- | :-- | :-- | --: | --: | --: |", *lines, total, ""])
 
