@@ -11,6 +11,13 @@ set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
 include(GoogleTest)
 
+# So that whatever is built in a student's tree, ./course test as well as ./course check, is built by one rule.
+set(students_tree OFF)
+if(EXISTS "${CMAKE_SOURCE_DIR}/.course/student.json")
+  set(students_tree ON)
+endif()
+option(CAUSTIC_STUDENT "A student's tree: the starter's stubs leave parameters and helpers unused" ${students_tree})
+
 find_program(CAUSTIC_CCACHE ccache)
 if(CAUSTIC_CCACHE AND NOT CAUSTIC_COVERAGE)
   set(CMAKE_CXX_COMPILER_LAUNCHER "${CMAKE_SOURCE_DIR}/tools/compiler.sh" "${CMAKE_SOURCE_DIR}" "${CAUSTIC_CCACHE}")

@@ -104,13 +104,20 @@ class Loop(ToyCase):
         upcoming = self.run_course("next")
         self.assertNotIn("build", upcoming, "Is it built again although nothing has changed?")
         for part in ("ex-01.1  A sum (about 5 minutes)", f"{SUMS}:8", "Sums.TotalAddsAllValues (40 points)",
-                     "Which values are added.", "./course hint ex-01.1 (2 hints left)"):
+                     "./course hint ex-01.1 (2 hints left)"):
             self.assertIn(part, upcoming)
+        for said in (first, upcoming):
+            self.assertNotIn("Which values are added.", said, "What to look at is for who has tried.")
+            self.assertIn("chapters/01_first/README.md", said)
 
         write_body(self.tree, "ex-01.1", "double sum = 0;\nfor (double v : values) sum += v > 0 ? v : 0;\nreturn sum;")
         self.assertIn("changed since", self.run_course("status"))
         wrong = self.run_course("next")
         self.assertIn("Does every value count, whatever its sign?", wrong)
+        self.assertIn("Which values are added.", wrong)
+        said = self.run_course("check", "--no-pictures", code=1)
+        self.assertEqual(said.count("graded_sums.cpp:"), 2, "One line is in a loop: its first failure is enough.")
+        self.assertIn("(the first of 50 failures on this line)", said)
 
         solve(self.tree, self.toy, "ex-01.1")
         third = self.run_course("check", code=1)
@@ -120,6 +127,10 @@ class Loop(ToyCase):
         self.assertRegex(third, r"mean +waits for ex-01\.3")
         self.assertTrue((self.tree / "build/check/01/bars.png").read_bytes().startswith(b"\x89PNG"))
         self.assertRegex(self.run_course("status"), r"ex-01\.1 +A sum +40/40 +done")
+        again = self.run_course("check", code=1)
+        self.assertNotIn("draw 01_first", again)
+        self.assertIn("./course check 01 --pictures draws them again", again)
+        self.assertIn("draw 01_first", self.run_course("check", "--pictures", code=1))
 
         solve(self.tree, self.toy, "ex-01.2", "ex-01.3", "ex-01.4")
         done = self.run_course("check", "01")
@@ -127,6 +138,8 @@ class Loop(ToyCase):
         self.assertIn("All 4 exercises done", done)
         self.assertIn("ex-02.1  A weighted sum", self.run_course("next"))
         self.assertIn("02_second: 0 of 100", self.run_course("check", code=1), "Does check go on to the unfinished chapter?")
+        solve(self.tree, self.toy, "ex-02.1")
+        self.assertNotIn("changed since", self.run_course("status", "01"), "A later chapter's file changes nothing in an earlier one.")
 
         packed = self.run_course("submit", "01")
         self.assertIn("The last check gave it 100 of 100 points.", packed)
@@ -150,6 +163,7 @@ class Loop(ToyCase):
         broken = self.run_course("check", "01", code=1)
         line = strip.exercises_of_tree(self.tree)["ex-01.2"].first + 1
         self.assertIn(f"01_first does not build: {SUMS}:{line}:12: error: 'nothing' was not declared", broken)
+        self.assertEqual(broken.count("error: "), 1, broken)
         self.assertRegex(broken, r"Sums\.LargestIsTheLargest +ex-01\.2 +0/30 +did not build")
         self.assertRegex(broken, r"Sums\.TotalAddsAllValues +ex-01\.1 +40/40 +passed")
         self.assertIn("Make it compile", broken)
@@ -184,8 +198,26 @@ class Loop(ToyCase):
         write_body(self.tree, "ex-01.1", "return values.empty() ? 0 : values[1];")
         solve(self.tree, self.toy, "ex-01.2")
         checked = self.run_course("check", "01", code=1)
-        self.assertRegex(checked, r"bars\.png +10 % of the pixels differ, by up to \d+ of 255 +build/check/01/bars\.png",
-                         "41 x 40 of 160 x 100 pixels should differ")
+        self.assertRegex(checked, r"bars\.png +not right: 10 % of the pixels differ, around \d+,\d+ by \d+ of 255 on average"
+                                  r" +build/check/01/bars\.png", "41 x 40 of 160 x 100 pixels should differ")
+
+    def test_a_finished_chapter_is_checked_again_when_its_files_have_changed(self):
+        solve(self.tree, self.toy, "ex-01.1", "ex-01.2", "ex-01.3", "ex-01.4")
+        self.run_course("check", "--no-pictures")
+        write_body(self.tree, "ex-01.1", reference_body(self.toy, "ex-01.1").replace("sum;", "values.size() == 3 && values[0] == 10 ? 9 : sum;"))
+        right = self.run_course("check", code=1)
+        self.assertIn("01_first was finished, but its files have changed since", right)
+        self.assertRegex(right, "(?s)01_first: 100 of 100 points.*02_second: 0 of 100 points")
+        self.assertIn("All tests pass, but when the pictures were drawn last, bars.png differed from the reference", right)
+        self.run_course("reset", "ex-01.4")
+        wrong = self.run_course("check", code=1)
+        self.assertIn("01_first: 90 of 100 points", wrong)
+        self.assertNotIn("02_second", wrong, "What is red comes first.")
+
+    def test_all_that_is_built_in_a_students_tree_is_built_by_one_rule(self):
+        write_body(self.tree, "ex-01.1", "const int unused = 3.7;\nreturn values.front();")
+        self.run_course("build", "--target", "caustic_math_01")
+        self.assertRegex(self.run_course("check", "01", "--no-pictures", code=1), rf"note: {SUMS}:9:\d+: warning: .*3\.7")
 
     def test_hints_come_one_by_one(self):
         self.assertIn("hint 1 of 2: Start with 0.", self.run_course("hint", "ex-01.1"))

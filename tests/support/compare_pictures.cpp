@@ -1,7 +1,9 @@
 // compare_pictures YOURS REFERENCE OUT: draws two pictures and their difference side by side, and prints the share of
-// pixels that differ (in percent) and the largest difference of a channel (of 255). ./course check runs it.
+// pixels that differ (in percent), the largest difference of a channel (of 255), the largest difference of a block's
+// mean, and where that block lies (x y). ./course check runs it.
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <opencv2/imgcodecs.hpp>
@@ -13,6 +15,7 @@ namespace {
 
 constexpr int captionHeight = 36;
 constexpr int gap = 8;
+constexpr int blockSize = 16;
 constexpr int barelyVisible = 2;  // of 255: less is rounding
 constexpr double gain = 4;        // so that small differences can be seen
 
@@ -38,6 +41,27 @@ cv::Mat captioned(const cv::Mat& picture, const std::string& caption) {
     return framed;
 }
 
+struct Block {
+    double difference = 0;  ///< of the means of a channel, of 255
+    cv::Point corner;
+};
+
+// What has no place of its own, as noise, goes in the mean; what is wrong stays.
+Block worstBlock(const cv::Mat& yours, const cv::Mat& reference) {
+    Block worst;
+    for (int y = 0; y < yours.rows; y += blockSize) {
+        for (int x = 0; x < yours.cols; x += blockSize) {
+            const cv::Rect block(x, y, std::min(blockSize, yours.cols - x), std::min(blockSize, yours.rows - y));
+            const cv::Scalar difference = cv::mean(yours(block)) - cv::mean(reference(block));
+            for (int channel = 0; channel < 3; ++channel) {
+                const double size = std::abs(difference[channel]);
+                if (size > worst.difference) worst = {size, block.tl()};
+            }
+        }
+    }
+    return worst;
+}
+
 void compare(const std::string& yoursPath, const std::string& referencePath, const std::string& outPath) {
     const cv::Mat yours = read(yoursPath);
     cv::Mat reference = read(referencePath);
@@ -57,7 +81,9 @@ void compare(const std::string& yoursPath, const std::string& referencePath, con
                                      captioned(shown, "difference x 4, dark where they differ")},
                 sideBySide);
     if (!cv::imwrite(outPath, sideBySide)) throw std::runtime_error(outPath + " cannot be written");
-    std::printf("%.4f %.0f\n", 100.0 * differing / static_cast<double>(largest.total()), worst);
+    const Block block = worstBlock(yours, reference);
+    std::printf("%.4f %.0f %.2f %d %d\n", 100.0 * differing / static_cast<double>(largest.total()), worst,
+                block.difference, block.corner.x, block.corner.y);
 }
 
 }  // namespace

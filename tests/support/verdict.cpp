@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cstdlib>
 #include <exception>
@@ -31,21 +32,27 @@ constexpr std::size_t mostFailures = 10;
 struct Failure {
     std::string place;  ///< "graded_bezier_curve.cpp:14"; empty for an exception
     std::string message;
+    std::size_t times = 1;  ///< an assertion in a loop fails at one place many times; the first message is kept
 };
 
-/// Keeps the first failures of the test.
+/// Keeps the first failure of each place, and how many there were.
 class FailureCollector : public testing::EmptyTestEventListener {
 public:
     explicit FailureCollector(std::vector<Failure>& failures) : failures_(&failures) {}
 
     void OnTestPartResult(const testing::TestPartResult& result) override {
-        if (!result.failed() || failures_->size() == mostFailures) return;
+        if (!result.failed()) return;
         std::string place;
         if (result.file_name() != nullptr) {
             place = std::filesystem::path(result.file_name()).filename().string() + ":" +
                     std::to_string(result.line_number());
         }
-        failures_->push_back({place, std::string(result.message()).substr(0, longestMessage)});
+        const auto known = std::ranges::find(*failures_, place, &Failure::place);
+        if (known != failures_->end() && !place.empty()) {
+            ++known->times;
+        } else if (failures_->size() < mostFailures) {
+            failures_->push_back({place, std::string(result.message()).substr(0, longestMessage)});
+        }
     }
 
 private:
@@ -140,7 +147,7 @@ int runForVerdict(const VerdictChannel& channel) {
 
     nlohmann::ordered_json json = {{"word", word}, {"verdict", verdict}, {"failures", nlohmann::ordered_json::array()}};
     for (const Failure& failure : failures) {
-        json["failures"].push_back({{"place", failure.place}, {"message", failure.message}});
+        json["failures"].push_back({{"place", failure.place}, {"message", failure.message}, {"times", failure.times}});
     }
     writeAll(channel.out, json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
     close(channel.out);

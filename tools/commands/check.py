@@ -1,21 +1,26 @@
 """Builds a chapter, runs its graded tests, and explains the first that is red.
 
-Without NN: the first chapter that is not all green. When the chapter can draw figures, each picture is put beside the
-reference's and their difference, in build/check/NN/.
+Without NN: the first chapter that is not all green, and before it those that were, when their files have changed since.
+When points were won or lost, or --pictures asks for it, each picture that the chapter can draw is put beside the reference's
+and their difference, in build/check/NN/. The build is as strict as that of ./course test in this tree: warnings are shown, and
+are no errors.
 """
 
 from course_lib.errors import CourseError
-from course_lib.paths import shown
+from course_lib.paths import BUILD, shown
 from course_lib.terminal import count, say, table
-from exercises import loop, reports
+from exercises import loop, reports, student
 from exercises.pictures import compare_figures
+from exercises.verdicts import TRIED
 
 HELP = "build and test your exercises; see what is red and why"
 
 
 def add_arguments(parser):
     parser.add_argument("chapters", nargs="*", metavar="NN", help="chapters (default: the first unfinished one)")
-    parser.add_argument("--no-pictures", action="store_true", help="draw nothing")
+    pictures = parser.add_mutually_exclusive_group()
+    pictures.add_argument("--pictures", action="store_true", help="draw the pictures also when the points are as before")
+    pictures.add_argument("--no-pictures", action="store_true", help="draw nothing")
     parser.add_argument("--time-limit", type=float, metavar="S", help="give no test more than S seconds")
 
 
@@ -24,11 +29,16 @@ def run(args):
         raise CourseError("--time-limit must be more than 0 seconds")
     green = True
     for catalog in loop.chosen_catalogs(args.chapters):
+        if not args.chapters and loop.is_finished(catalog, results := student.recall(catalog)) and not results.fresh:
+            say(f"{catalog.chapter} was finished, but its files have changed since: it is checked again.")
         grade = loop.grade_here(catalog, args.time_limit)
         show(grade)
-        if grade.done and not args.no_pictures:
-            show_pictures(compare_figures(catalog.chapter))
+        show_pictures(grade, args)
+        if grade.points == catalog.points:
+            show_end(catalog)
         green = green and grade.points == catalog.points
+        if not green and not args.chapters:
+            break
     return 0 if green else 1
 
 
@@ -36,7 +46,8 @@ def show(grade):
     say()
     if grade.error:
         say(f"{grade.chapter} does not build: {grade.error}")
-        say(grade.excerpt)
+        if reports.excerpt_after(grade):
+            say(reports.excerpt_after(grade))
         say()
     say(reports.grade_table(grade))
     say()
@@ -50,24 +61,44 @@ def show(grade):
     red = loop.first_red(grade.catalog, lambda test: states[test.name].passed)
     if red:
         explain(grade, *red)
-    else:
-        say(f"All {count(len(grade.catalog.exercises), 'exercise')} done. ./course submit {grade.catalog.number} packs them.")
 
 
 def explain(grade, exercise, test):
-    """The first red: where to go, what the test says, what to look at."""
+    """The first red: where to go, what the test says, what to look at once it was tried."""
     total = len(grade.catalog.exercises)
     to_do = total - len(grade.done)
     say(f"{to_do} of {count(total, 'exercise')} to do; start with {exercise.id} in {loop.place_of(exercise.id)}: {exercise.title}")
     graded = next(o for o in grade.outcomes if o.test is test)
+    if graded.outcome.state not in TRIED:
+        say(f"The lesson: chapters/{grade.chapter}/README.md")
     say()
     say(f"{test.name}")
     for line in reports.details(graded).splitlines():
         say(f"  {line}".rstrip())
 
 
-def show_pictures(comparisons):
-    if not comparisons:
+def show_pictures(grade, args):
+    """Draws them when that is asked for, or when they were never drawn at these points."""
+    if grade.error or args.no_pictures or not (grade.done or args.pictures):
         return
+    last = student.recall_pictures(grade.catalog)
+    is_there = (BUILD / "check" / grade.catalog.number).exists()
     say()
-    say(table([[c.name, c.result, shown(c.path) if c.path else ""] for c in comparisons], ["figure", "result", "see"]))
+    if not args.pictures and is_there and last and last["points"] == grade.points:
+        say(f"Pictures: as many points as when they were drawn last; ./course check {grade.catalog.number} --pictures draws them again.")
+        return
+    comparisons = compare_figures(grade.chapter)
+    student.remember_pictures(grade.catalog, grade.points, [c.name for c in comparisons if c.wrong])
+    if comparisons:
+        say()
+        say(table([[c.name, c.result, shown(c.path) if c.path else ""] for c in comparisons], ["figure", "result", "see"]))
+
+
+def show_end(catalog):
+    """All is green; a picture that is not as it should be is a mistake all the same."""
+    say()
+    wrong = (student.recall_pictures(catalog) or {}).get("wrong", [])
+    if wrong:
+        say(f"All tests pass, but when the pictures were drawn last, {' and '.join(wrong)} differed from the reference. "
+            "Find out why before you hand in.")
+    say(f"All {count(len(catalog.exercises), 'exercise')} done. ./course submit {catalog.number} packs them.")

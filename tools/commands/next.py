@@ -4,7 +4,7 @@ Checks the chapter first when something has changed since the last check.
 """
 
 from course_lib.terminal import count, say
-from exercises import loop, student
+from exercises import loop, student, verdicts
 
 HELP = "the next exercise to do"
 
@@ -34,7 +34,8 @@ def show(catalog, results, exercise, test):
     say(f"  red test   {test.name} ({count(test.points, 'point')}): {state.get('state', 'not run')}")
     if state.get("state") == "failed":
         say(f"  it says    {state['reason']}")
-    say(f"  look at    {test.look_at}")
+    if state.get("state") in verdicts.TRIED:  # before that, it would take the thinking away
+        say(f"  look at    {test.look_at}")
     say(f"  lesson     chapters/{catalog.chapter}/README.md")
     if hints > 0:
         say(f"  stuck?     ./course hint {exercise.id} ({count(hints, 'hint')} left)")

@@ -138,9 +138,11 @@ def mentions(said, paths):
 
 
 def excerpt(output, most_lines=12):
-    """The compiler's output from the first error on, cut."""
+    """The compiler's output from the first error on, cut; not what the next command that failed said: a header's error
+    comes again with each file that includes it."""
     lines = [line for line in output.splitlines() if not re.match(r"^\[\d+/\d+\]", line)]
     start = next((i for i, line in enumerate(lines) if "error:" in line or "undefined reference" in line), 0)
-    return "\n".join(lines[start:start + most_lines])
+    end = next((i for i in range(start, len(lines)) if lines[i].startswith(("FAILED: ", "ninja: "))), len(lines))
+    return "\n".join(lines[start:min(end, start + most_lines)])
 
 

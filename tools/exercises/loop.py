@@ -6,7 +6,7 @@ from course_lib.chapters import all_chapters, choose_chapters
 from course_lib.errors import CourseError
 from course_lib.packages import ensure_packages
 from course_lib.paths import BUILD, ROOT
-from course_lib.terminal import format_duration
+from course_lib.terminal import count, format_duration
 from exercises import student
 from exercises.building import build_tree, program
 from exercises.catalog import catalog_path, read_catalog
@@ -15,6 +15,7 @@ from exercises.splicing import Spliced
 from exercises.trees import work_folder
 from strip import exercises_of_tree
 
+MOST_WARNINGS = 5  # that a check shows
 EXERCISE_WORD = re.compile(r"(?:ex-)?0*(\d+)\.0*(\d+)")
 
 
@@ -26,22 +27,31 @@ def catalogs(root=ROOT):
 
 
 def chosen_catalogs(words, root=ROOT):
-    """The catalogs of the chapters named; of the first unfinished one when none is."""
+    """The catalogs of the chapters named; when none is, of those to check now: see catalogs_to_check."""
     if words:
         return [read_catalog(chapter, root) for chapter in choose_chapters(words, root)]
-    return [current_catalog(root)]
+    return catalogs_to_check(root)
 
 
-def current_catalog(root=ROOT):
-    """The first chapter that is not all green by what was last seen of it; the last one when all are."""
+def catalogs_to_check(root=ROOT):
+    """The first chapter that is not all green by what was last seen of it, and before it the finished ones whose files have
+    changed since; the last chapter when there is nothing else."""
     known = catalogs(root)
     if not known:
         raise CourseError("no chapter has a grading.json, so there is nothing to check")
+    due = []
     for catalog in known:
         results = student.recall(catalog, root)
-        if results is None or not all(results.passed(test) for test in catalog.tests):
-            return catalog
-    return known[-1]
+        if not is_finished(catalog, results):
+            return [*due, catalog]
+        if not results.fresh:
+            due.append(catalog)
+    return due or known[-1:]
+
+
+def is_finished(catalog, results):
+    """Whether all was green when the chapter was last checked, whatever has changed since."""
+    return results is not None and all(results.passed(test) for test in catalog.tests)
 
 
 def find_exercise(word, root=ROOT):
@@ -91,10 +101,18 @@ def grade_here(catalog, time_limit=None, root=ROOT):
 
 def grade_in_place(catalog, time_limit, root):
     """None when it does not build."""
-    if build_tree(root, [catalog.target], catalog.chapter).error:
+    built = build_tree(root, [catalog.target], catalog.chapter)
+    if built.error:
         return None
-    return ChapterGrade(catalog, run_tests(catalog, program(root, catalog.target), BUILD / "scratch", at_most(time_limit),
-                                           f"test {catalog.chapter}"))
+    outcomes = run_tests(catalog, program(root, catalog.target), BUILD / "scratch", at_most(time_limit), f"test {catalog.chapter}")
+    return ChapterGrade(catalog, outcomes, notes=warnings_of(built))
+
+
+def warnings_of(built):
+    """What the compiler warned of just now. No points are lost by it, but often the mistake is found."""
+    found = list(dict.fromkeys(built.warnings))
+    more = [f"and {count(len(found) - MOST_WARNINGS, 'further warning')}"] if len(found) > MOST_WARNINGS else []
+    return found[:MOST_WARNINGS] + more
 
 
 def up_to_date_results(catalog, root=ROOT):

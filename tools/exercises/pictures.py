@@ -13,6 +13,8 @@ from exercises.building import build_tree, program
 COMPARE = "compare_pictures"
 MOST_REPORT_TIME = 20  # seconds; a figure that took longer at report quality is drawn as a draft
 MOST_TIME = 120  # seconds for one figure
+# How far the mean of 16 x 16 pixels may be from the reference's, of 255.
+MOST_BLOCK = {"report": 2, "draft": 12}
 STUB = "is not implemented yet"
 
 
@@ -23,6 +25,7 @@ class Comparison:
     name: str
     result: str  # in words
     path: Path = None  # yours, reference and difference side by side
+    wrong: bool = False  # whether it differs from the reference by more than noise
 
 
 def compare_figures(chapter, root=ROOT):
@@ -88,12 +91,35 @@ def put_side_by_side(chapter, file, quality, drawn, root):
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace")
     if compared.returncode != 0:
         return Comparison(file, compared.stdout.strip() or "cannot be compared", yours)
-    share, worst = (float(word) for word in compared.stdout.split())
-    return Comparison(file, describe(share, worst, quality), out)
+    words, wrong = describe(Difference(*map(float, compared.stdout.split())), quality)
+    return Comparison(file, words, out, wrong)
 
 
-def describe(share, worst, quality):
-    if worst == 0:
-        return "the same as the reference"
-    as_draft = " (yours is a draft, the reference is not)" if quality == "draft" else ""
-    return f"{share:.2g} % of the pixels differ, by up to {worst:.0f} of 255{as_draft}"
+@dataclass(frozen=True)
+class Difference:
+    """What compare_pictures prints."""
+
+    share: float  # of pixels that differ visibly, in percent
+    worst: float  # of a pixel's channel, of 255
+    block: float  # of a block's mean, of 255
+    x: float  # that block's left upper pixel
+    y: float
+
+
+def describe(difference, quality):
+    """(in words, whether the picture is wrong). Noise has no place of its own: it goes when a block's mean is taken."""
+    if difference.worst == 0:
+        return "the same as the reference", False
+    pixels = f"{percent(difference.share)} of the pixels differ"
+    if difference.block <= MOST_BLOCK[quality]:
+        return f"right: {pixels}, by {'the noise of a draft' if quality == 'draft' else 'noise'} alone", False
+    return (f"not right: {pixels}, around {difference.x:.0f},{difference.y:.0f} "
+            f"by {difference.block:.0f} of 255 on average", True)
+
+
+def percent(share):
+    """"0.03 %", "7.1 %", "42 %": two digits, and never 1e+02."""
+    if share < 0.005:
+        return "less than 0.01 %"
+    digits = 0 if share >= 9.95 else 1 if share >= 0.995 else 2
+    return f"{share:.{digits}f} %"

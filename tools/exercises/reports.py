@@ -8,7 +8,7 @@ from pathlib import Path
 
 from course_lib.errors import CourseError
 from course_lib.terminal import count, table
-from exercises.verdicts import CRASHED, FAILED, NOT_BUILT, NOT_IMPLEMENTED, REFUSED, TIMED_OUT
+from exercises.verdicts import CRASHED, FAILED, NOT_BUILT, NOT_IMPLEMENTED, REFUSED, TIMED_OUT, TRIED
 
 MOST_REASON = 96
 # What XML 1.0 cannot hold, not even escaped.
@@ -20,9 +20,17 @@ def points_text(points, most):
 
 
 def grade_table(grade):
-    """One row a test: test, exercise, points, what became of it."""
-    rows = [[shown_name(o.test), o.test.exercise, f"{o.points}/{o.test.points}", o.outcome.state, shortened(o.outcome.reason)]
-            for o in grade.outcomes]
+    """One row a test: test, exercise, points, what became of it.
+
+    The compiler's errors stand once: the first of all beside the table, another one at its exercise's first test.
+    """
+    said, rows = {grade.error}, []
+    for o in grade.outcomes:
+        reason = shortened(o.outcome.reason)
+        if o.outcome.state == NOT_BUILT and o.outcome.reason in said:
+            reason = ""
+        said.add(o.outcome.reason)
+        rows.append([shown_name(o.test), o.test.exercise, f"{o.points}/{o.test.points}", o.outcome.state, reason])
     return table(rows, ["test", "exercise", "points", "outcome", "reason"], right=(2,))
 
 
@@ -55,7 +63,9 @@ def details(graded):
         if failure["place"]:
             lines.append(failure["place"])
         lines.append(failure["message"])
-    if not outcome.passed:
+        if failure["times"] > 1:
+            lines.append(f"(the first of {failure['times']} failures on this line)")
+    if outcome.state in TRIED:
         lines += ["", f"Look at: {graded.test.look_at}"]
         if outcome.state in (CRASHED, TIMED_OUT) and outcome.output.strip():
             lines += ["", "It printed:", outcome.output.strip()]
@@ -130,7 +140,13 @@ def to_gradescope(grades, sandbox):
 def errors_and_notes(grade):
     refused = all(o.outcome.state == REFUSED for o in grade.outcomes)
     error = f"{REFUSED if refused else NOT_BUILT}: {grade.error}"
-    return ([line for line in (error, grade.excerpt) if line] if grade.error else []) + [f"note: {n}" for n in grade.notes]
+    return ([line for line in (error, excerpt_after(grade)) if line] if grade.error else []) + [f"note: {n}" for n in grade.notes]
+
+
+def excerpt_after(grade):
+    """What the compiler said, without the line that is the error itself."""
+    first, _, rest = grade.excerpt.partition("\n")
+    return rest if first.strip() == grade.error else grade.excerpt
 
 
 def to_junit(grades, sandbox):

@@ -210,6 +210,18 @@ def remember(grade, root=ROOT):
     write_state(state, root)
 
 
+def remember_pictures(catalog, points, wrong, root=ROOT):
+    """What the pictures of a chapter looked like: drawn at so many points, these (names) not as the reference's."""
+    state = read_state(root)
+    state.setdefault("pictures", {})[catalog.chapter] = {"points": points, "wrong": wrong}
+    write_state(state, root)
+
+
+def recall_pictures(catalog, root=ROOT):
+    """{"points", "wrong"}; None when they were never drawn."""
+    return read_state(root).get("pictures", {}).get(catalog.chapter)
+
+
 def recall(catalog, root=ROOT):
     """The results of this very state of the sources; else the newest there are; None when the chapter was never checked."""
     results = read_state(root).get("results", {}).get(catalog.chapter, {})

@@ -34,6 +34,7 @@ TIMED_OUT = "timed out"
 NO_VERDICT = "no verdict"
 NOT_BUILT = "did not build"
 REFUSED = "refused"
+TRIED = (FAILED, CRASHED, TIMED_OUT, NO_VERDICT)  # a body ran and was wrong
 STATES = (PASSED, FAILED, NOT_IMPLEMENTED, CRASHED, TIMED_OUT, NO_VERDICT, NOT_BUILT, REFUSED)
 ASKS = b"over\n"  # what the test program sends when the test is over, to get the word
 TMP = 256  # MiB of a test's /tmp
@@ -45,7 +46,7 @@ class Outcome:
 
     state: str
     reason: str = ""  # one line; empty when it passed
-    failures: list = field(default_factory=list)  # [{"place": "graded_x.cpp:14", "message": "..."}]
+    failures: list = field(default_factory=list)  # [{"place": "graded_x.cpp:14", "message": "...", "times": 1}], one a place
     output: str = ""  # what it printed, cut
     seconds: float = 0
 
@@ -215,10 +216,15 @@ def read_verdict(line, word):
     failures = verdict.get("failures")
     if not isinstance(verdict.get("verdict"), str) or not isinstance(failures, list):
         return None
-    if not all(isinstance(f, dict) and isinstance(f.get("place"), str) and isinstance(f.get("message"), str) for f in failures):
+    if not all(map(is_failure, failures)):
         return None
-    said = [{"place": printable(f["place"]), "message": printable(f["message"])} for f in failures]
+    said = [{"place": printable(f["place"]), "message": printable(f["message"]), "times": f.get("times", 1)} for f in failures]
     return {"verdict": printable(verdict["verdict"]), "failures": said}
+
+
+def is_failure(data):
+    return (isinstance(data, dict) and isinstance(data.get("place"), str) and isinstance(data.get("message"), str)
+            and isinstance(data.get("times", 1), int) and data.get("times", 1) >= 1)
 
 
 def first_reason(failures):

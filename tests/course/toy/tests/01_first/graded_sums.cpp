@@ -9,6 +9,7 @@ namespace {
 TEST(Sums, TotalAddsAllValues) {
     EXPECT_EQ(total({1, -2, 4}), 3) << "Does every value count, whatever its sign?";
     EXPECT_EQ(total({}), 0);
+    for (int n = 1; n <= 50; ++n) EXPECT_EQ(total(std::vector<double>(n, -1)), -n) << "Does every value count?";
 }
 
 TEST(Sums, LargestIsTheLargest) { EXPECT_EQ(largest({-3, -1, -2}), -1) << "What does the search start with?"; }
