@@ -51,15 +51,17 @@ class CompileErrors(unittest.TestCase):
 
 class Pictures(unittest.TestCase):
     def test_it_is_said_whether_a_picture_is_right(self):
-        for difference, quality, words, wrong in (
-                (Difference(0, 0, 0, 0, 0), "draft", "the same as the reference", False),
-                (Difference(0.41, 255, 1.2, 0, 0), "report", "right: 0.41 % of the pixels differ, by noise alone", False),
-                (Difference(0.41, 255, 5, 0, 0), "draft", "right: 0.41 % of the pixels differ, by the noise of a draft alone", False),
-                (Difference(99.97, 40, 31, 16, 48), "report",
+        for numbers, quality, words, wrong in (
+                ((0, 0, 0, 0, 0, 0, 0), "draft", "the same as the reference", False),
+                ((0.41, 255, 1.2, 1, 5, 0, 0), "report", "right: 0.41 % of the pixels differ, by noise alone", False),
+                ((0.03, 80, 0.01, 0, 1, 0, 0), "report", "right: 0.03 % of the pixels differ, by rounding alone", False),
+                ((0.41, 255, 1.2, 0.4, 9.8, 16, 48), "report",
+                 "not right: 0.41 % of the pixels differ, around 16,48 by 10 of 255 on average", True),
+                ((99.97, 40, 31, 1, 31, 16, 48), "report",
                  "not right: 100 % of the pixels differ, around 16,48 by 31 of 255 on average", True),
-                (Difference(7.14, 40, 31, 16, 48), "draft",
-                 "not right: 7.1 % of the pixels differ, around 16,48 by 31 of 255 on average", True)):
-            self.assertEqual(describe(difference, quality), (words, wrong))
+                ((42, 255, 9, 0, 70, 0, 0), "draft", "a draft: 42 % of the pixels differ; "
+                 "./course check 09 --pictures takes longer, and says whether it is right", False)):
+            self.assertEqual(describe(Difference(*numbers), quality, "09"), (words, wrong))
 
     def test_shares_have_two_digits_and_no_power_of_ten(self):
         for share, text in ((100, "100 %"), (42.4, "42 %"), (9.96, "10 %"), (9.9, "9.9 %"), (0.996, "1.0 %"), (0.03, "0.03 %"),

@@ -93,6 +93,9 @@ class Loop(ToyCase):
 
     def test_the_way_through_the_first_chapter(self):
         self.assertIn("not checked yet: ./course check 01", self.run_course("status"))
+        untouched = self.run_course("next")
+        self.assertNotIn("build", untouched, "What is there to try before a line is written?")
+        self.assertIn("Sums.TotalAddsAllValues (40 points): not run", untouched)
 
         first = self.run_course("check", "01", code=1)
         self.assertNotIn("warning", first)

@@ -1,6 +1,10 @@
-// compare_pictures YOURS REFERENCE OUT: draws two pictures and their difference side by side, and prints the share of
-// pixels that differ (in percent), the largest difference of a channel (of 255), the largest difference of a block's
-// mean, and where that block lies (x y). ./course check runs it.
+// compare_pictures YOURS REFERENCE OUT [AGAIN]: draws two pictures and their difference side by side, and prints
+// - the share of pixels that differ (in percent) and the largest difference of a channel (of 255),
+// - the root mean square of the differences of blocks' means, and the same between YOURS and AGAIN, which was drawn
+// with
+//   another seed: 0 without it,
+// - the largest difference of a block's mean, and where that block lies (x y).
+// ./course check runs it.
 
 #include <algorithm>
 #include <cmath>
@@ -41,28 +45,38 @@ cv::Mat captioned(const cv::Mat& picture, const std::string& caption) {
     return framed;
 }
 
-struct Block {
-    double difference = 0;  ///< of the means of a channel, of 255
-    cv::Point corner;
+struct Blocks {
+    double rootMeanSquare = 0;  ///< of the differences of means of a channel, of 255
+    double largest = 0;
+    cv::Point corner;  ///< of the block with the largest
 };
 
-// What has no place of its own, as noise, goes in the mean; what is wrong stays.
-Block worstBlock(const cv::Mat& yours, const cv::Mat& reference) {
-    Block worst;
+// Noise shrinks in a block's mean, and what is wrong does not.
+Blocks compareBlocks(const cv::Mat& yours, const cv::Mat& other) {
+    Blocks found;
+    double squares = 0;
+    int count = 0;
     for (int y = 0; y < yours.rows; y += blockSize) {
         for (int x = 0; x < yours.cols; x += blockSize) {
             const cv::Rect block(x, y, std::min(blockSize, yours.cols - x), std::min(blockSize, yours.rows - y));
-            const cv::Scalar difference = cv::mean(yours(block)) - cv::mean(reference(block));
+            const cv::Scalar difference = cv::mean(yours(block)) - cv::mean(other(block));
             for (int channel = 0; channel < 3; ++channel) {
                 const double size = std::abs(difference[channel]);
-                if (size > worst.difference) worst = {size, block.tl()};
+                squares += size * size;
+                ++count;
+                if (size > found.largest) {
+                    found.largest = size;
+                    found.corner = block.tl();
+                }
             }
         }
     }
-    return worst;
+    found.rootMeanSquare = std::sqrt(squares / count);
+    return found;
 }
 
-void compare(const std::string& yoursPath, const std::string& referencePath, const std::string& outPath) {
+void compare(const std::string& yoursPath, const std::string& referencePath, const std::string& outPath,
+             const std::string& againPath) {
     const cv::Mat yours = read(yoursPath);
     cv::Mat reference = read(referencePath);
     if (reference.size() != yours.size()) cv::resize(reference, reference, yours.size(), 0, 0, cv::INTER_AREA);
@@ -81,20 +95,21 @@ void compare(const std::string& yoursPath, const std::string& referencePath, con
                                      captioned(shown, "difference x 4, dark where they differ")},
                 sideBySide);
     if (!cv::imwrite(outPath, sideBySide)) throw std::runtime_error(outPath + " cannot be written");
-    const Block block = worstBlock(yours, reference);
-    std::printf("%.4f %.0f %.2f %d %d\n", 100.0 * differing / static_cast<double>(largest.total()), worst,
-                block.difference, block.corner.x, block.corner.y);
+    const Blocks blocks = compareBlocks(yours, reference);
+    const Blocks noise = againPath.empty() ? Blocks{} : compareBlocks(yours, read(againPath));
+    std::printf("%.4f %.0f %.3f %.3f %.1f %d %d\n", 100.0 * differing / static_cast<double>(largest.total()), worst,
+                blocks.rootMeanSquare, noise.rootMeanSquare, blocks.largest, blocks.corner.x, blocks.corner.y);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 4) {
-        std::fprintf(stderr, "usage: compare_pictures YOURS REFERENCE OUT\n");
+    if (argc != 4 && argc != 5) {
+        std::fprintf(stderr, "usage: compare_pictures YOURS REFERENCE OUT [AGAIN]\n");
         return 2;
     }
     try {
-        compare(argv[1], argv[2], argv[3]);
+        compare(argv[1], argv[2], argv[3], argc == 5 ? argv[4] : "");
         return 0;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "compare_pictures: %s\n", error.what());

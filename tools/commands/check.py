@@ -19,7 +19,7 @@ HELP = "build and test your exercises; see what is red and why"
 def add_arguments(parser):
     parser.add_argument("chapters", nargs="*", metavar="NN", help="chapters (default: the first unfinished one)")
     pictures = parser.add_mutually_exclusive_group()
-    pictures.add_argument("--pictures", action="store_true", help="draw the pictures also when the points are as before")
+    pictures.add_argument("--pictures", action="store_true", help="draw the pictures also when the points are as before, and in full those that take long")
     pictures.add_argument("--no-pictures", action="store_true", help="draw nothing")
     parser.add_argument("--time-limit", type=float, metavar="S", help="give no test more than S seconds")
 
@@ -87,7 +87,7 @@ def show_pictures(grade, args):
     if not args.pictures and is_there and last and last["points"] == grade.points:
         say(f"Pictures: as many points as when they were drawn last; ./course check {grade.catalog.number} --pictures draws them again.")
         return
-    comparisons = compare_figures(grade.chapter)
+    comparisons = compare_figures(grade.chapter, in_full=args.pictures)
     student.remember_pictures(grade.catalog, grade.points, [c.name for c in comparisons if c.wrong])
     if comparisons:
         say()

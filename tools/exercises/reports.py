@@ -27,7 +27,7 @@ def grade_table(grade):
     said, rows = {grade.error}, []
     for o in grade.outcomes:
         reason = shortened(o.outcome.reason)
-        if o.outcome.state == NOT_BUILT and o.outcome.reason in said:
+        if o.outcome.state == NOT_BUILT and o.outcome.reason in said or is_own_stub(o):
             reason = ""
         said.add(o.outcome.reason)
         rows.append([shown_name(o.test), o.test.exercise, f"{o.points}/{o.test.points}", o.outcome.state, reason])
@@ -36,6 +36,11 @@ def grade_table(grade):
 
 def shown_name(test):
     return f"{test.name} (hidden)" if test.hidden else test.name
+
+
+def is_own_stub(graded):
+    """Whether a test met the stub of its own exercise, of which there is no more to say."""
+    return graded.outcome.state == NOT_IMPLEMENTED and f"exercise {graded.test.exercise} is not" in graded.outcome.reason
 
 
 def shortened(text):
@@ -55,7 +60,8 @@ def public_summary(grade):
 def details(graded):
     """Everything that a student should see of one test, in several lines."""
     outcome = graded.outcome
-    lines = [f"{graded.test.exercise}: {outcome.state}" + (f": {outcome.reason}" if outcome.reason else "")]
+    reason = f": {outcome.reason}" if outcome.reason and not is_own_stub(graded) else ""
+    lines = [f"{graded.test.exercise}: {outcome.state}{reason}"]
     for failure in outcome.failures:
         if failure["message"] == outcome.reason and not failure["place"]:
             continue
