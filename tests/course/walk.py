@@ -116,7 +116,7 @@ class Walk:
         self.expect("as new as that" in self.ask("update", "--from", self.edition), "a second update", said)
         if number < len(catalog.exercises):
             self.check(catalog, number)
-            self.expect(NEWS in self.ask("next"), "what to look at by the new edition", said)
+            self.expect(NEWS in self.ask("next"), "the title by the new edition", said)
         say(f"  {len(changed)} files updated")
 
     def make_edition(self, ahead):
@@ -132,8 +132,8 @@ class Walk:
         for catalog in self.catalogs if ahead else ():
             path = catalog_path(catalog.chapter, self.edition)
             data = json.loads(path.read_text(encoding="utf-8"))
-            for test in data["tests"]:
-                test["lookAt"] = NEWS if test["exercise"] == ahead else test["lookAt"]
+            if ahead in data["exercises"]:
+                data["exercises"][ahead]["title"] = NEWS
             path.write_text(json.dumps(data, indent=2, ensure_ascii=False) + "\n", encoding="utf-8")
         return changed
 
