@@ -146,6 +146,17 @@ class Loop(ToyCase):
         ended = course(self.toy, "grade", "01", "--submission", self.tree / "build/submission_01.zip", *where())
         self.assertIn("01_first: 100 of 100 points", ended.stdout)
 
+    def test_what_is_written_and_waits_for_a_later_exercise_does_not_hold_the_student_up(self):
+        write_body(self.tree, "ex-01.1", "return mean(values) * static_cast<double>(values.size() + 0 * values.capacity());")
+        checked = self.run_course("check", "01", "--no-pictures", code=1)
+        self.assertIn("note: ex-01.1 is written, and its tests wait for ex-01.3\n", checked)
+        self.assertIn("start with ex-01.2", checked)
+        self.assertTrue(self.run_course("next").startswith("ex-01.2 "))
+        self.assertRegex(self.run_course("status"), r"ex-01\.1 +A sum +0/40 +waits for ex-01\.3 ")
+        for id in ("ex-01.2", "ex-01.4", "ex-02.1"):
+            solve(self.tree, self.toy, id)
+        self.assertRegex(self.run_course("next"), r"(?m)^ex-01\.3  ", "Is it what the other one waits for?")
+
     def test_results_come_back_with_an_earlier_state_of_the_files(self):
         self.run_course("check", "01", "--no-pictures", code=1)
         solve(self.tree, self.toy, "ex-01.1")

@@ -57,10 +57,22 @@ def show(grade):
         say(f"{reports.summary(grade)}. Make it compile, then run ./course check again.")
         return
     say(f"{reports.summary(grade)}.")
-    states = {o.test.name: o.outcome for o in grade.outcomes}
-    red = loop.first_red(grade.catalog, lambda test: states[test.name].passed)
+    for id, other in waiting(grade):
+        say(f"note: {id} is written, and its tests wait for {other}")
+    states = {o.test.name: (o.outcome.state, o.outcome.reason) for o in grade.outcomes}
+    red = loop.first_red(grade.catalog, lambda test: states[test.name])
     if red:
         explain(grade, *red)
+
+
+def waiting(grade):
+    """(exercise, the one that it waits for) of those that are written."""
+    found = {}
+    for o in grade.outcomes:
+        other = loop.waits_for(o.test.exercise, o.outcome.state, o.outcome.reason)
+        if other:
+            found.setdefault(o.test.exercise, other)
+    return found.items()
 
 
 def explain(grade, exercise, test):

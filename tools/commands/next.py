@@ -16,7 +16,7 @@ def add_arguments(parser):
 def run(args):
     for catalog in loop.catalogs():
         results = loop.up_to_date_results(catalog)
-        red = loop.first_red(catalog, results.passed)
+        red = loop.first_red(catalog, loop.outcome_in(results))
         if red:
             show(catalog, results, *red)
             return 0

@@ -33,7 +33,7 @@ def chapter_rows(catalog):
         tests = catalog.tests_of(id)
         points = sum(test.points for test in tests if results.passed(test))
         rows.append([f"  {id}", exercise.title, f"{points}/{sum(test.points for test in tests)}",
-                     state_of(results, tests), loop.place_of(id)])
+                     state_of(results, id, tests), loop.place_of(id)])
     return rows
 
 
@@ -44,9 +44,11 @@ def when(catalog, results):
     return checked if results.fresh else f"{checked}, changed since"
 
 
-def state_of(results, tests):
-    """One word or two for an exercise: done, or what its first red test is."""
+def state_of(results, id, tests):
+    """A few words for an exercise: done, or what its first red test is."""
     for test in tests:
         if not results.passed(test):
-            return results.tests.get(test.name, {}).get("state", "not checked yet")
+            state, reason = loop.outcome_in(results)(test)
+            other = loop.waits_for(id, state, reason)
+            return f"waits for {other}" if other else "not checked yet" if state == "not run" else state
     return "done"

@@ -3,8 +3,8 @@
 Parts: the build, each header by itself, who includes whom, the C++ tests by kind, the tests of the course's tools.
 What passed is not run again until one of its inputs changes (build/green.json; --again runs it all the same).
 --full adds a queue of heavy checks: the sanitizers, a debug build, clang-tidy, all mutants, the tests labelled large, a build
-without precompiled headers, line coverage by the chapters, a student's way through all of them. One that was stopped is gone on with by the next
---full.
+without precompiled headers, line coverage by the chapters, a student's way through all of them. One that was stopped is gone
+on with by the next --full.
 """
 
 import sys

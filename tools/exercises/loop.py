@@ -14,9 +14,11 @@ from exercises.catalog import catalog_path, read_catalog
 from exercises.grading import ChapterGrade, Conditions, at_most, grade_spliced, run_tests
 from exercises.splicing import Spliced
 from exercises.trees import work_folder
-from strip import exercises_of_tree
+from exercises.verdicts import NOT_IMPLEMENTED, PASSED
+from strip import body, exercises_of_tree, read_source, stub
 
 MOST_WARNINGS = 5  # that a check shows
+NAMED_STUB = re.compile(r"exercise (ex-\d\d\.\d+) is not implemented")
 EXERCISE_WORD = re.compile(r"(?:ex-)?0*(\d+)\.0*(\d+)")
 
 
@@ -143,13 +145,41 @@ def place_of(id, root=ROOT):
     return exercise.place if exercise else "nowhere: its markers are gone"
 
 
-def first_red(catalog, passed):
-    """(exercise, test) to do next; None when all tests pass. `passed` says whether a test passes."""
+def first_red(catalog, outcome_of, root=ROOT):
+    """(exercise, test) to do next; None when all tests pass. An exercise that is written and waits for a later one can
+    be told nothing yet, so the next one comes first.
+
+    @param outcome_of  test -> (state, reason)
+    """
+    waiting = None
     for id in catalog.exercises:
-        for test in catalog.tests_of(id):
-            if not passed(test):
-                return catalog.exercises[id], test
-    return None
+        red = next((test for test in catalog.tests_of(id) if outcome_of(test)[0] != PASSED), None)
+        if red is None:
+            continue
+        if not waits_for(id, *outcome_of(red), root):
+            return catalog.exercises[id], red
+        waiting = waiting or (catalog.exercises[id], red)
+    return waiting
+
+
+def waits_for(id, state, reason, root=ROOT):
+    """The exercise that a written one's test has to wait for; empty when it waits for none."""
+    named = NAMED_STUB.search(reason)
+    return named[1] if state == NOT_IMPLEMENTED and named and named[1] != id and is_written(id, root) else ""
+
+
+def is_written(id, root=ROOT):
+    """Whether something else than its stub stands between an exercise's markers."""
+    exercise = exercises_of_tree(root).get(id)
+    return exercise is not None and body(read_source(root / exercise.path), exercise).strip() != stub(exercise).strip()
+
+
+def outcome_in(results):
+    """What gives (state, reason) of a test, by what a check found."""
+    def outcome_of(test):
+        known = results.tests.get(test.name, {})
+        return known.get("state", "not run"), known.get("reason", "")
+    return outcome_of
 
 
 def count_done(catalog, passed):
