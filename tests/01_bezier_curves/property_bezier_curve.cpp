@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "curve/bezier_curve.h"
+#include "curve_errors.h"
 #include "math/bounds.h"
 #include "support/random_curves.h"
 #include "support/reference_curve.h"
@@ -12,25 +13,11 @@
 namespace caustic {
 namespace {
 
+using test::distance;
 using test::NamedCurve;
+using test::sizeOf;
 
 constexpr Real unitRoundoff = std::numeric_limits<Real>::epsilon() / 2;
-
-// Largest coordinate of the control points: what errors are measured by.
-Real sizeOf(const BezierCurve& curve) {
-    Real size = 0;
-    for (const Vec3& point : curve.controlPoints()) size = std::max(size, point.cwiseAbs().maxCoeff());
-    return size;
-}
-
-Real distance(const Vec3& point, const test::QuadPoint& truth) {
-    Real largest = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const test::Quad difference = truth[axis] - point[static_cast<Eigen::Index>(axis)];
-        largest = std::max(largest, std::abs(static_cast<Real>(difference)));
-    }
-    return largest;
-}
 
 std::vector<Real> someParameters(Random& random, int count) {
     std::vector<Real> parameters = {0, 1};

@@ -6,28 +6,17 @@
 
 #include "core/error.h"
 #include "curve/bezier_curve.h"
+#include "curve_errors.h"
 #include "support/random_curves.h"
 #include "support/reference_curve.h"
 
 namespace caustic {
 namespace {
 
+using test::distance;
+using test::sizeOf;
+
 constexpr Real unitRoundoff = std::numeric_limits<Real>::epsilon() / 2;
-
-Real largestCoordinate(const BezierCurve& curve) {
-    Real size = 0;
-    for (const Vec3& point : curve.controlPoints()) size = std::max(size, point.cwiseAbs().maxCoeff());
-    return size;
-}
-
-Real distance(const Vec3& point, const test::QuadPoint& truth) {
-    Real largest = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const test::Quad difference = truth[axis] - point[static_cast<Eigen::Index>(axis)];
-        largest = std::max(largest, std::abs(static_cast<Real>(difference)));
-    }
-    return largest;
-}
 
 BezierCurve scaled(const BezierCurve& curve, Real factor) {
     std::vector<Vec3> points = curve.controlPoints();
@@ -39,7 +28,7 @@ TEST(BezierCurveStability, WithinAHundredUlpForEveryDegreeUpTo60) {
     Random random(1, {1});
     for (int degree = 0; degree <= 60; ++degree) {
         const BezierCurve curve = test::randomCurve(random, degree);
-        const Real size = largestCoordinate(curve);
+        const Real size = sizeOf(curve);
         const Real ulp = std::nextafter(size, 2 * size) - size;
         const test::ReferenceCurve reference(curve);
         for (int i = 0; i < 50; ++i) {
@@ -58,7 +47,7 @@ TEST(BezierCurveStability, OutsideTheIntervalErrorsGrowAsTheWeightsDo) {
         const test::ReferenceCurve reference(curve);
         for (const Real t : {-2.0, -0.3, -1e-12, 1 + 1e-12, 1.4, 3.0}) {
             const Real growth = std::pow(std::abs(1 - t) + std::abs(t), degree);
-            const Real rounding = 4 * degree * unitRoundoff * growth * largestCoordinate(curve);
+            const Real rounding = 4 * degree * unitRoundoff * growth * sizeOf(curve);
             EXPECT_LE(distance(curve.position(t), reference.position(t)), rounding)
                 << "degree " << degree << ", t = " << t;
             EXPECT_LE(distance(curve.derivative(t), reference.velocity(t)), 2 * degree * rounding)
