@@ -1,5 +1,6 @@
 """tools/docs: mistakes in headers and dead links are found and named, and what the site draws itself is right."""
 
+import json
 import shutil
 import tempfile
 import unittest
@@ -9,6 +10,7 @@ from course_lib.paths import ROOT
 from docs.doxygen_warnings import relevant_warnings
 from docs.exercise_table import ExerciseTable, code_lines
 from docs.links import dead_links
+from docs.mistake_table import MistakeTable, in_a_cell
 from docs.parts import declared_names
 from docs.topic_map import reduced
 from docs.tree import Tree
@@ -67,6 +69,36 @@ class Exercises(unittest.TestCase):
         self.assertEqual(page.count(" | 100 |\n"), chapters)
         self.assertGreaterEqual(page.count("| ex-"), 6 * chapters)
         self.assertNotIn("| 0 |", page)
+
+
+class Mistakes(unittest.TestCase):
+    """The page that lists all mistakes."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.page = MistakeTable(Tree(ROOT)).page()
+
+    def test_each_patch_has_its_row_and_each_graded_test_catches_one(self):
+        patches = list((ROOT / "tests").glob("*/mistakes/*.patch"))
+        self.assertEqual(self.page.count("| ex-"), len(patches))
+        for path in patches:
+            self.assertEqual(self.page.count(f"tree:/{path.relative_to(ROOT)}"), 1, path.name)
+        for path in (ROOT / "tests").glob("*/grading.json"):
+            for test in json.loads(path.read_text())["tests"]:
+                self.assertIn(f"| `{test['name']}` |\n", self.page)
+
+    def test_the_sums_are_those_of_the_rows(self):
+        rows = [[cell.strip() for cell in line.split("|")[1:-1]] for line in self.page.split("\n## ")[0].splitlines()[2:] if line]
+        *chapters, total = rows
+        for column in (1, 2, 3, 5):
+            self.assertEqual(sum(int(row[column]) for row in chapters), int(total[column]))
+        self.assertEqual(int(total[3]), self.page.count("| ex-"))
+
+    def test_no_sentence_breaks_its_cell(self):
+        for line in self.page.splitlines():
+            if line.startswith("| ex-"):
+                self.assertEqual(line.count("|"), 4, line)
+        self.assertEqual(in_a_cell("a < b | *c* & `d`"), "a &lt; b &#124; &#42;c&#42; &amp; d")
 
 
 class Warnings(unittest.TestCase):

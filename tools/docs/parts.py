@@ -7,6 +7,7 @@ from docs.exercise_table import ExerciseTable
 from docs.figure_gallery import Gallery
 from docs.integrators import Integrators
 from docs.markdown import RAW_HTML
+from docs.mistake_table import MistakeTable
 from docs.topic_map import TopicMap
 
 # What stands at the start of a line is declared in the namespace itself.
@@ -34,6 +35,7 @@ class Parts:
         return {"topics": lambda page: self._map.graph(), "places": lambda page: self._map.places(),
                 "library": lambda page: self.library(), "gallery": lambda page: self._gallery.page(),
                 "exercises": lambda page: ExerciseTable(self._tree).page(),
+                "mistakes": lambda page: MistakeTable(self._tree).page(),
                 "integrators": lambda page: self._integrators.page()}
 
     def pictures(self):

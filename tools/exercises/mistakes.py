@@ -102,7 +102,7 @@ def read_patch(path, keys, catalog, exercises, root):
     """(header, files with the patch in them): a patch of one exercise's body, with a line for each key above the diff."""
     place = path.relative_to(root).as_posix()
     text = path.read_text(encoding="utf-8")
-    header = dict(HEADER.findall(text.split("\n--- ")[0]))
+    header = patch_head(text)
     for key in keys:
         if key not in header:
             raise CourseError(f"{place}: there is no line '{key}: ...' above the diff; docs/grading.md shows one")
@@ -119,6 +119,11 @@ def read_patch(path, keys, catalog, exercises, root):
                                                                            lambda e: e.id == exercise.id):
         raise CourseError(f"{place}: changes more than the body of {exercise.id}")
     return header, {exercise.path: mutant.encode("utf-8", "surrogateescape")}
+
+
+def patch_head(text):
+    """What stands above a patch's diff: "exercise", "caught-by" and so on."""
+    return dict(HEADER.findall(text.split("\n--- ")[0]))
 
 
 def patched(patch, path, text, place):
