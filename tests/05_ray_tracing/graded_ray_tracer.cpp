@@ -3,6 +3,7 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <set>
 
 #include "camera/box_filter.h"
 #include "integrator/ray_tracer.h"
@@ -16,135 +17,241 @@
 #include "shape/box.h"
 #include "shape/plane.h"
 #include "shape/rectangle.h"
+#include "shape/sphere.h"
+#include "support/recording_sampler.h"
 #include "texture/constant_texture.h"
 
 namespace caustic {
 namespace {
 
-constexpr Real pi = std::numbers::pi;
+const IndependentSampler independent(1);
+const BoxFilter box;
+const Color sigma(0.8, 0.3, 1.7);
 
-SceneObject whiteFloor() {
-    return {.shape = std::make_shared<Plane>(Vec3::Zero(), Vec3::UnitY()),
-            .material = std::make_shared<DiffuseMaterial>(Color::Ones())};
+std::shared_ptr<const Texture> shining(const Color& radiance) { return std::make_shared<ConstantTexture>(radiance); }
+
+std::shared_ptr<const Material> diffuse(const Color& reflectance) {
+    return std::make_shared<DiffuseMaterial>(reflectance);
 }
 
-// Between x = 0 and x = 1. Index 1.5; it reflects `reflectance` and lets the rest pass.
-SceneObject pane(Real reflectance, Real sigma) {
+// Between x = 0 and x = 1, of index 1.5.
+SceneObject pane(const Color& reflectance, const Color& transmittance, const Color& sigmaA) {
     SceneObject glass;
     glass.shape = std::make_shared<Box>(Vec3(0, -9, -9), Vec3(1, 9, 9));
-    glass.material =
-        std::make_shared<RefractionMaterial>(Color::Constant(reflectance), Color::Constant(1 - reflectance));
-    glass.interior = Interior{1.5, std::make_shared<AbsorbingMedium>(Color::Constant(sigma)), 0};
+    glass.material = std::make_shared<RefractionMaterial>(reflectance, transmittance);
+    glass.interior = Interior{1.5, std::make_shared<AbsorbingMedium>(sigmaA), 0};
     return glass;
 }
 
-std::shared_ptr<Light> pointLight() { return std::make_shared<PointLight>(Vec3(0, 2, 0), Color::Constant(4 * pi)); }
-
-// Light that leaves a hit along the ray's way back: RayTracer::direct alone.
-Real directAt(const Scene& scene, const Ray& ray, const RayTracerSettings& settings, std::int64_t index) {
-    const IndependentSampler sampler(1);
-    const BoxFilter box;
-    const RayTracer tracer(scene, sampler, box, settings);
-    MediumStack media = scene.mediaAt(ray.origin);
-    Color transmittance;
-    RayCounts counts;
-    const auto at = scene.follow(ray, media, transmittance, counts);
-    return tracer.direct(*at, 0, sampler.start(0, {0, 0}, index), counts).x();
-}
-
-Real radiance(const Scene& scene, const Ray& ray, const RayTracerSettings& settings) {
-    const IndependentSampler sampler(1);
-    const BoxFilter box;
+Color radiance(const Scene& scene, const Ray& ray, const RayTracerSettings& settings = {},
+               const Sampler& sampler = independent) {
     const RayTracer tracer(scene, sampler, box, settings);
     RayCounts counts;
-    return tracer.Li(ray, scene.mediaAt(ray.origin), sampler.start(0, {0, 0}, 0), counts).x();
+    return tracer.Li(ray, scene.mediaAt(ray.origin), sampler.start(0, {0, 0}, 0), counts);
 }
 
-// Lambert: L = (ρ / π) I cos θ / d².
-TEST(DirectLight, PointLightFallsWithDistanceAndCosine) {
-    const Scene scene({.objects = {whiteFloor()}, .lights = {pointLight()}});
-    for (const Real x : {0.0, 1.0, 7.0}) {
-        const Real distance = std::sqrt(4 + x * x);
-        const Real seen = directAt(scene, {Vec3(x, 1, 0), -Vec3::UnitY()}, {}, 0);
-        EXPECT_NEAR(seen, 4 * (2 / distance) / (distance * distance), 1e-12)
-            << "Which cosine belongs to the rendering equation, and is it there once?";
-    }
+void expectColor(const Color& found, const Color& expected, const std::string& question) {
+    EXPECT_LE((found - expected).abs().maxCoeff(), 1e-10 * expected.maxCoeff())
+        << question << "\nfound " << found.transpose() << ", expected " << expected.transpose();
 }
 
-TEST(DirectLight, ShadowIsBlack) {
-    const SceneObject lid = {.shape = std::make_shared<Rectangle>(Vec3(-1, 1.5, -1), Vec3(2, 0, 0), Vec3(0, 0, 2)),
-                             .material = std::make_shared<DiffuseMaterial>(Color::Ones())};
-    const Scene scene({.objects = {whiteFloor(), lid}, .lights = {pointLight()}});
-    EXPECT_EQ(directAt(scene, {Vec3(0.2, 1, 0), -Vec3::UnitY()}, {}, 0), 0) << "Did you ask what is in the way?";
-    EXPECT_GT(directAt(scene, {Vec3(6, 1, 0), -Vec3::UnitY()}, {}, 0), 0);
-}
-
-// In a furnace of radiance 1 a white plane sends out 1, however many points of the environment are asked.
-TEST(DirectLight, MoreSamplesMeanTheSameLight) {
-    const Scene scene({.objects = {whiteFloor()}, .lights = {std::make_shared<ConstantEnvironment>(Color::Ones())}});
-    for (const int samples : {1, 4, 64}) {
-        Real sum = 0;
-        const int n = 64'000 / samples;
-        for (int i = 0; i < n; ++i)
-            sum += directAt(scene, {Vec3(0, 1, 0), -Vec3::UnitY()}, {.shadowSamples = samples}, i);
-        // A sample is 4 cos θ or 0: standard deviation 1.3, of the mean of 64,000 of them 0.0051; 5 of these.
-        EXPECT_NEAR(sum / n, 1, 0.026) << "Is it their mean, or their sum?";
-    }
-}
-
-// The lamp hangs in a tinted medium of index 1 that no surface bounds, one metre above the floor: e^(−σ) of its light
-// arrives.
-TEST(DirectLight, IsAbsorbedOnItsWay) {
-    SceneObject fog;
-    fog.shape = std::make_shared<Box>(Vec3(-9, -1, -9), Vec3(9, 9, 9));
-    fog.interior = Interior{1, std::make_shared<AbsorbingMedium>(Color::Constant(0.7)), 0};
-    const auto lamp = std::make_shared<PointLight>(Vec3::UnitY(), Color::Constant(pi));
-    const Scene scene({.objects = {whiteFloor(), fog}, .lights = {lamp}});
-    EXPECT_NEAR(directAt(scene, {Vec3(0, 0.5, 0), -Vec3::UnitY()}, {}, 0), std::exp(-0.7), 1e-10)
-        << "What does the shadow ray pass through, from the point to the lamp?";
-}
-
-// Two facing mirrors that shine: the k-th reflection adds R^k, up to the depth and no further.
+// Two facing mirrors that shine, each in colours of its own. The eye sees one, in it the other, in that the first
+// again, up to the depth and no further.
 TEST(Recursion, MirrorCorridorIsAGeometricSeries) {
-    const auto mirror = std::make_shared<MirrorMaterial>(Color::Constant(0.5));
-    const auto light = std::make_shared<ConstantTexture>(Color::Ones());
-    const auto left = std::make_shared<Rectangle>(Vec3(0, -1, -1), Vec3(0, 2, 0), Vec3(0, 0, 2));
-    const auto right = std::make_shared<Rectangle>(Vec3(2, -1, -1), Vec3(0, 0, 2), Vec3(0, 2, 0));
-    const Scene scene({.objects = {{.shape = left, .material = mirror, .emission = light},
-                                   {.shape = right, .material = mirror, .emission = light}}});
-    for (const int depth : {0, 1, 4}) {
-        EXPECT_NEAR(radiance(scene, {Vec3(1, 0, 0), Vec3::UnitX()}, {.maxDepth = depth}), 2 - std::pow(0.5, depth),
-                    1e-12)
-            << "At depth " << depth << ": how many surfaces are seen, and what does each count?";
+    const Color reflectance[2] = {Color(0.5, 0.9, 0.2), Color(0.7, 0.1, 0.6)};
+    const Color shines[2] = {Color(1, 3, 2), Color(2, 0.5, 1)};
+    const Vec3 corner(4, -3, 7);
+    SceneObject walls[2];
+    walls[0].shape = std::make_shared<Rectangle>(corner + Vec3(2, -1, -1), Vec3(0, 0, 2), Vec3(0, 2, 0));
+    walls[1].shape = std::make_shared<Rectangle>(corner + Vec3(0, -1, -1), Vec3(0, 2, 0), Vec3(0, 0, 2));
+    for (int i = 0; i < 2; ++i) {
+        walls[i].material = std::make_shared<MirrorMaterial>(reflectance[i]);
+        walls[i].emission = shining(shines[i]);
+    }
+    const Scene scene({{walls[0], walls[1]}, {}, Color::Zero(), nullptr});
+    for (const int depth : {0, 1, 4, 7}) {
+        Color expected = Color::Zero();
+        Color passed = Color::Ones();
+        for (int i = 0; i <= depth; ++i) {
+            expected += passed * shines[i % 2];
+            passed *= reflectance[i % 2];
+        }
+        expectColor(radiance(scene, {corner + Vec3(1, 0, 0), Vec3::UnitX()}, {.maxDepth = depth}), expected,
+                    "At depth " + std::to_string(depth) + ": how many surfaces are seen, and what does each count?");
     }
 }
 
-// A pane that reflects R at both faces lets (1 − R)/(1 + R) pass when all reflections within are followed.
+// A pane that reflects R at both faces and lets T pass: T²/(1 − R²) of the lamp behind it is seen when all reflections
+// within are followed.
 TEST(Recursion, EveryLobeIsFollowed) {
+    const Color R(0.5, 0.2, 0.4);
+    const Color T(0.5, 0.7, 0.3);
     SceneObject lamp;
     lamp.shape = std::make_shared<Rectangle>(Vec3(3, -9, -9), Vec3(0, 0, 18), Vec3(0, 18, 0));
-    lamp.emission = std::make_shared<ConstantTexture>(Color::Ones());
-    const Scene scene({.objects = {pane(0.5, 0), lamp}});
-    EXPECT_NEAR(radiance(scene, {Vec3(-1, 0, 0), Vec3::UnitX()}, {.maxDepth = 100, .leastWeight = 1e-12}), 1.0 / 3,
-                1e-10)
-        << "Does light go on both ways at a boundary, reflected and refracted?";
+    lamp.emission = shining(Color(1, 2, 3));
+    const Scene scene({{pane(R, T, Color::Zero()), lamp}, {}, Color::Zero(), nullptr});
+    expectColor(radiance(scene, {Vec3(-1, 0, 0), Vec3::UnitX()}, {.maxDepth = 100, .leastWeight = 1e-12}),
+                Color(1, 2, 3) * T * T / (1 - R * R),
+                "Does light go on both ways at a boundary, reflected and refracted?");
 }
 
-// Through the pane: e^(−σ d); on the way before it, nothing is lost.
+// Through the pane: e^(−σ d); on the way before it, nothing is lost. From its inside, only the way out counts.
 TEST(Recursion, AbsorbsInsideTheGlass) {
-    const Scene scene({.objects = {pane(0, 0.8)}, .lights = {std::make_shared<ConstantEnvironment>(Color::Ones())}});
-    EXPECT_NEAR(radiance(scene, {Vec3(-5, 0, 0), Vec3::UnitX()}, {}), std::exp(-0.8), 1e-12)
-        << "On which side of the boundary is the medium, and does the way back count it?";
+    const Color sky(1, 2, 0.5);
+    const Scene scene({{pane(Color::Zero(), Color::Ones(), sigma)},
+                       {std::make_shared<ConstantEnvironment>(sky)},
+                       Color::Zero(),
+                       nullptr});
+    expectColor(radiance(scene, {Vec3(-5, 0, 0), Vec3::UnitX()}), sky * (-sigma).exp(),
+                "On which side of the boundary is the medium, and does the way back count it?");
+    const Color denser = sky * Color((-0.4 * sigma).exp()) * (1.5 * 1.5);
+    expectColor(radiance(scene, {Vec3(0.6, 0, 0), Vec3::UnitX()}), denser, "What does the first ray start in?");
 }
 
 // From inside a medium without a boundary in sight: the way to the environment is infinite.
 TEST(Recursion, LightFromBeyondIsAbsorbedToo) {
     SceneObject fog;
     fog.shape = std::make_shared<Box>(Vec3(-2, -2, -2), Vec3(2, 2, 2));
-    fog.interior = Interior{1, std::make_shared<AbsorbingMedium>(Color::Constant(0.5)), 0};
-    const Scene scene({.objects = {fog}, .lights = {std::make_shared<ConstantEnvironment>(Color::Ones())}});
-    EXPECT_NEAR(radiance(scene, {Vec3::Zero(), Vec3::UnitX()}, {}), std::exp(-1), 1e-12)
-        << "What passed on the way before the ray left the scene?";
+    fog.interior = Interior{1, std::make_shared<AbsorbingMedium>(sigma), 0};
+    const Color sky(1, 2, 0.5);
+    const Scene scene({{fog}, {std::make_shared<ConstantEnvironment>(sky)}, Color::Zero(), nullptr});
+    expectColor(radiance(scene, {Vec3::Zero(), Vec3::UnitX()}), sky * (-2 * sigma).exp(),
+                "What passed on the way before the ray left the scene?");
+}
+
+// A wall in tinted air: e^(−σ d) of its own light and of what it reflects arrives. Ambient light comes from everywhere
+// and nothing is in its way, so that a wall of reflectance ρ sends out ρ of it; a mirror shows that, and has none
+// itself.
+TEST(Recursion, AmbientLightIsReflected) {
+    const Color rho(0.8, 0.5, 0.3);
+    const Color mirrors(0.9, 0.4, 0.6);
+    const Color ambient(2, 1, 3);
+    const Color shines(0.1, 0.7, 0.2);
+    const Color intensity(4, 3, 9);
+    SceneObject fog;
+    fog.shape = std::make_shared<Box>(Vec3(-90, -90, -90), Vec3(90, 90, 90));
+    fog.interior = Interior{1, std::make_shared<AbsorbingMedium>(sigma), 0};
+    const auto rectangle = [](const Vec3& corner, const Vec3& edgeU, const Vec3& edgeV) {
+        return std::make_shared<Rectangle>(corner, edgeU, edgeV);
+    };
+    const SceneObject wall = {rectangle({-1, -9, -9}, {0, 18, 0}, {0, 0, 18}), diffuse(rho), {}, shining(shines)};
+    const SceneObject mirror = {
+        rectangle({2, -9, -9}, {0, 0, 18}, {0, 18, 0}), std::make_shared<MirrorMaterial>(mirrors), {}, nullptr};
+    const SceneObject lamp = {rectangle({0, -1, -3}, {0, 2, 0}, {1, 0, 0}), nullptr, {}, shining(shines)};  // faces −z
+    const Scene scene(
+        {{fog, wall, mirror, lamp}, {std::make_shared<PointLight>(Vec3(0.5, 0, 0), intensity)}, ambient, nullptr});
+    const Color direct = rho / std::numbers::pi * intensity / 2.25 * (-1.5 * sigma).exp();
+    const Color sent = shines + direct + rho * ambient;
+    for (const int depth : {0, 3}) {
+        expectColor(radiance(scene, {Vec3(0.4, 0, 0), -Vec3::UnitX()}, {.maxDepth = depth}),
+                    sent * (-1.4 * sigma).exp(),
+                    "Where is the ambient light? Is only what is followed cut at the last depth?");
+    }
+    expectColor(radiance(scene, {Vec3(0.4, 0, 0), Vec3::UnitX()}), mirrors * sent * (-4.6 * sigma).exp(),
+                "Does a mirror show the ambient light of what it shows, tinted by the way there, each once?");
+    expectColor(radiance(scene, {Vec3(0.4, 0, -5), Vec3::UnitZ()}), shines * (-2 * sigma).exp(),
+                "Is the light of a lamp absorbed on its way?");
+}
+
+// A ray counts what the lobes and the ways before it have left, the largest channel. Refraction is about energy: the
+// factor 1/η² of radiance isn't lost, it comes back on the way out.
+TEST(Recursion, FaintRaysAreNotFollowed) {
+    const Color sky(1, 1, 1);
+    const auto light = std::make_shared<ConstantEnvironment>(sky);
+    const auto seen = [&](const SceneObject& object, const Ray& ray, Real leastWeight) {
+        const Scene scene({{object}, {light}, Color::Zero(), nullptr});
+        return radiance(scene, ray, {.maxDepth = 20, .leastWeight = leastWeight}).maxCoeff();
+    };
+    const Ray ray = {Vec3(-5, 0, 0), Vec3::UnitX()};
+    const SceneObject clear = pane(Color::Zero(), Color(0.1, 0.6, 0.5), Color(0.2, 0.3, 0.1));
+    // Into the pane 0.6 is left, out of it 0.6 · 0.6 · e^(−0.3) = 0.267.
+    EXPECT_GT(seen(clear, ray, 0.26), 0) << "What counts, a ray's radiance or its energy?";
+    EXPECT_EQ(seen(clear, ray, 0.28), 0) << "Does a ray know what the rays before it have left, and the way?";
+    EXPECT_EQ(seen(clear, ray, 0.61), 0) << "Is a ray followed that counts too little?";
+
+    // Into the pane, which shines inside, 0.6 is left, and so it is on the way out.
+    const SceneObject glow = {std::make_shared<Rectangle>(Vec3(0.5, -9, -9), Vec3(0, 0, 18), Vec3(0, 18, 0)),
+                              nullptr,
+                              {},
+                              shining(Color::Ones())};
+    const Scene glowing({{clear, glow}, {}, Color::Zero(), nullptr});
+    EXPECT_GT(radiance(glowing, ray, {.maxDepth = 1, .leastWeight = 0.59}).maxCoeff(), 0)
+        << "What counts, a ray's radiance or its energy?";
+    EXPECT_EQ(radiance(glowing, ray, {.maxDepth = 1, .leastWeight = 0.61}).maxCoeff(), 0)
+        << "Is a ray followed that counts too little?";
+
+    // To and fro within mirrors: R, R² and R³ are left after one, two, three reflections.
+    const auto rays = [&](Real reflectance, Real leastWeight) {
+        const SceneObject mirrors = {
+            std::make_shared<Box>(Vec3(-9, -9, -9), Vec3(1, 9, 9)),
+            std::make_shared<MirrorMaterial>(Color(0.3 * reflectance, reflectance, 0.7 * reflectance)),
+            {},
+            nullptr};
+        const Scene corridor({{mirrors}, {}, Color::Zero(), nullptr});
+        const RayTracer tracer(corridor, independent, box, {.maxDepth = 20, .leastWeight = leastWeight});
+        RayCounts counts;
+        tracer.Li(ray, {}, independent.start(0, {0, 0}, 0), counts);
+        return counts.rays;
+    };
+    EXPECT_EQ(rays(0.3, 0.027 * (1 - 1e-9)), 4) << "Is a ray followed that counts a little more?";
+    EXPECT_EQ(rays(0.3, 0.027 * (1 + 1e-9)), 3) << "Is a ray followed that counts a little less?";
+    EXPECT_EQ(rays(0.5, 0.25), 2) << "Is a ray followed that counts as much and no more?";
+    EXPECT_EQ(rays(0, 0), 1) << "Is a ray followed that counts nothing?";
+}
+
+// A mirror ball in a furnace reflects R of it, wherever it is seen, whatever its size: no ray meets it again. A clear
+// ball lets all light through by two refractions.
+TEST(Recursion, RaysLeaveTheirSurface) {
+    const Color R(0.9, 0.4, 0.6);
+    const Color sky(1, 2, 0.5);
+    const auto light = std::make_shared<ConstantEnvironment>(sky);
+    for (const Real size : {1e-6, 1.0, 1e6}) {
+        const Vec3 center = size * Vec3(3, -2, 5);
+        const auto shape = std::make_shared<Sphere>(center, size);
+        const Scene mirror(
+            {{{shape, std::make_shared<MirrorMaterial>(R), {}, nullptr}}, {light}, Color::Zero(), nullptr});
+        const Scene clear({{{shape, std::make_shared<RefractionMaterial>(Color::Zero(), Color::Ones()),
+                             Interior{1.5, nullptr, 0}, nullptr}},
+                           {light},
+                           Color::Zero(),
+                           nullptr});
+        for (int i = 0; i < 300; ++i) {
+            const Vec3 aside(0.6 * std::cos(i), 0.6 * std::sin(2.0 * i), 0.3 * std::sin(3.0 * i));
+            const Vec3 from = center + size * Vec3(1, 3, -2);
+            const Ray ray = {from, (center + size * aside - from).normalized()};
+            ASSERT_LE((radiance(mirror, ray, {.maxDepth = 2}) / (R * sky) - 1).abs().maxCoeff(), 1e-9)
+                << "Where does a reflected ray start? Does it meet its own surface?";
+            ASSERT_LE((radiance(clear, ray, {.maxDepth = 2}) / sky - 1).abs().maxCoeff(), 1e-9)
+                << "On which side of the surface does a refracted ray start?";
+        }
+    }
+}
+
+// Glass between a floor and a ceiling, each under lamps and ambient light: both branches come to a wall at once, and
+// share no numbers. Of a wall's vertex the point of the light is asked for, and what ambient light takes.
+TEST(Recursion, BranchesHaveNumbersOfTheirOwn) {
+    const auto plane = [](Real height, const Vec3& normal, const std::shared_ptr<const Material>& material) {
+        return SceneObject{std::make_shared<Plane>(Vec3(0, height, 0), normal), material, {}, nullptr};
+    };
+    SceneObject lamp;
+    lamp.shape = std::make_shared<Rectangle>(Vec3(-4, 1, -4), Vec3(9, 0, 0), Vec3(0, 0, 9));
+    lamp.emission = shining(Color::Ones());
+    SceneObject glass =
+        plane(0, Vec3::UnitY(), std::make_shared<RefractionMaterial>(Color::Constant(0.4), Color::Constant(0.6)));
+    glass.interior = Interior{1.5, nullptr, 0};
+    const auto white = diffuse(Color::Constant(0.5));
+    const Scene scene(
+        {{plane(-1, Vec3::UnitY(), white), plane(3, -Vec3::UnitY(), white), glass, lamp}, {}, Color::Ones(), nullptr});
+    const test::RecordingSampler sampler;
+    radiance(scene, {Vec3(9, 0.3, 0.1), Vec3(0.6, -0.8, 0)}, {.maxDepth = 1, .shadowSamples = 2}, sampler);
+    EXPECT_EQ(sampler.different(), 8U) << "Do both branches come to a wall, each with numbers of its own?";
+    EXPECT_EQ(sampler.different(), sampler.asked().size()) << "Do two branches use the same numbers?";
+    std::set<int> dimensions;
+    for (const auto& asked : sampler.asked()) dimensions.insert(asked.dimension);
+    EXPECT_EQ(dimensions,
+              (std::set{Dimension::vertex(1, VertexUse::LightPoint).index,
+                        Dimension::vertex(1, VertexUse::Direction).index, Dimension::vertex(1, VertexUse::Lobe).index}))
+        << "Which vertex of the path is the wall behind the glass?";
 }
 
 }  // namespace

@@ -19,10 +19,12 @@ TEST(Refraction, SinesAreAsTheIndices) {
         const Vec3 n = inCube(random).normalized();
         Vec3 wo = inCube(random).normalized();
         if (wo.dot(n) < 0) wo = -wo;
-        const Real eta = random.uniform(1, 2.5);
+        const Real eta = random.uniform(0.4, 2.5);
         const auto wi = refracted(wo, n, eta);
-        ASSERT_TRUE(wi) << "Into the denser medium there always is a way.";
+        if (eta < 1 && wo.cross(n).norm() > 0.999 * eta) continue;
+        ASSERT_TRUE(wi) << "Into the denser medium there always is a way, out of it near the normal.";
         EXPECT_NEAR(wo.cross(n).norm(), eta * wi->cross(n).norm(), 1e-12) << "Is eta the right way up?";
+        EXPECT_NEAR(wi->norm(), 1, 1e-14) << "How long is the direction?";
     }
 }
 
@@ -50,6 +52,9 @@ TEST(Refraction, NothingBeyondTheCriticalAngle) {
     }
     const Real sine = eta * 0.9999;
     EXPECT_TRUE(refracted({sine, 0, std::sqrt(1 - sine * sine)}, Vec3::UnitZ(), eta));
+    EXPECT_FALSE(refracted(Vec3::UnitX(), Vec3::UnitZ(), 1)) << "And at the critical angle itself?";
+    for (const Real dense : {1.0001, 1.5, 30.0})
+        EXPECT_TRUE(refracted(Vec3::UnitX(), Vec3::UnitZ(), dense)) << "Into the denser medium there always is a way.";
 }
 
 }  // namespace
