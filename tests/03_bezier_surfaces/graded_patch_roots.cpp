@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/random.h"
 #include "support/in_cube.h"
@@ -26,37 +28,58 @@ Vec2 valueAt(const PlaneNet& net, Real u, Real v) {
     return sum;
 }
 
-// A net near a linear map, with a zero at (u, v).
-PlaneNet netWithZero(Random& random, int m, int n, Real u, Real v, Real bend) {
+// The two derivatives of a linear map: of any size and direction, up to 60 times as long as each other, seen from
+// either side of the patch.
+struct Frame {
+    explicit Frame(Random& random) {
+        const Real size = std::pow(10, random.uniform(-6, 6));
+        const Real first = random.uniform(0, 2 * std::numbers::pi);
+        const Real second = first + (random.below(2) == 0 ? 1 : -1) * random.uniform(0.6, 2.5);
+        u = size * std::pow(10, random.uniform(-0.9, 0.9)) * Vec2(std::cos(first), std::sin(first));
+        v = size * std::pow(10, random.uniform(-0.9, 0.9)) * Vec2(std::cos(second), std::sin(second));
+    }
+
+    /// What a value may be off by without saying anything.
+    Real rounding() const { return 1e-15 * (u.norm() + v.norm()); }
+
+    Vec2 u;
+    Vec2 v;
+};
+
+// A net near a linear map, with a zero at (u, v). Each control point is moved by up to `bend` of the two derivatives,
+// those within the net by `bendWithin`.
+PlaneNet netWithZero(Random& random, const Frame& frame, int m, int n, const Vec2& zero, Real bend, Real bendWithin) {
     PlaneNet net;
     net.degreeU = m;
     net.degreeV = n;
-    const Vec2 a(random.uniform(0.5, 2), random.uniform(-0.4, 0.4));
-    const Vec2 b(random.uniform(-0.4, 0.4), random.uniform(0.5, 2));
     for (int i = 0; i <= m; ++i) {
         for (int j = 0; j <= n; ++j) {
-            const Vec2 noise(random.uniform(-1, 1), random.uniform(-1, 1));
-            net.point[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] =
-                Real(i) / m * a + Real(j) / n * b + bend * noise;
+            const Real by = i > 0 && i < m && j > 0 && j < n ? bendWithin : bend;
+            const Real u = Real(i) / m + by * random.uniform(-1, 1);
+            const Real v = Real(j) / n + by * random.uniform(-1, 1);
+            net.point[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = u * frame.u + v * frame.v;
         }
     }
-    const Vec2 offset = valueAt(net, u, v);
+    const Vec2 offset = valueAt(net, zero.x(), zero.y());
     for (int i = 0; i <= m; ++i) {
         for (int j = 0; j <= n; ++j) net.point[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] -= offset;
     }
     return net;
 }
 
+// Every third net is bent within alone, and far more: its border doesn't betray it.
 TEST(Clipping, NeverCutsAZeroAway) {
     for (std::uint64_t i = 0; i < 3000; ++i) {
         Random random(1, {i});
-        const Real u = random.uniform();
-        const Real v = random.uniform();
-        const PlaneNet net = netWithZero(random, 1 + static_cast<int>(i % 4), 3, u, v, random.uniform(0, 0.3));
-        const PatchDomain left = clippedDomain(net, 1e-15);
-        EXPECT_TRUE(left.u.lower <= u + 1e-12 && u <= left.u.upper + 1e-12)
-            << "Net " << i << ": from what is i/m taken away, and with which sign?";
-        EXPECT_TRUE(left.v.lower <= v + 1e-12 && v <= left.v.upper + 1e-12)
+        const Frame frame(random);
+        const Vec2 zero(random.uniform(), random.uniform());
+        const Real bend = i % 3 == 0 ? 0 : random.uniform(0, 0.3);
+        const Real within = i % 3 == 0 ? random.uniform(0, 5) : bend;
+        const int m = 1 + static_cast<int>(i % 5);
+        const PatchDomain left = clippedDomain(netWithZero(random, frame, m, 3, zero, bend, within), frame.rounding());
+        ASSERT_TRUE(left.u.lower <= zero.x() + 1e-12 && zero.x() <= left.u.upper + 1e-12)
+            << "Net " << i << ": from what is i/m taken away, with which sign, and is it every point's?";
+        ASSERT_TRUE(left.v.lower <= zero.y() + 1e-12 && zero.y() <= left.v.upper + 1e-12)
             << "Net " << i << ": which determinant belongs to v?";
     }
 }
@@ -66,10 +89,14 @@ TEST(Clipping, LeavesAsLittleAsTheNetIsBent) {
     for (const Real bend : {0.0, 1e-6, 1e-3}) {
         for (std::uint64_t i = 0; i < 500; ++i) {
             Random random(2, {i});
-            const PlaneNet net = netWithZero(random, 3, 3, random.uniform(), random.uniform(), bend);
-            const PatchDomain left = clippedDomain(net, 1e-15);
-            EXPECT_LE(left.u.upper - left.u.lower, 20 * bend + 1e-13) << "Is the map made close to the identity first?";
-            EXPECT_LE(left.v.upper - left.v.lower, 20 * bend + 1e-13);
+            const Frame frame(random);
+            const Vec2 zero(random.uniform(), random.uniform());
+            const int n = 1 + static_cast<int>(i % 4);
+            const PatchDomain left =
+                clippedDomain(netWithZero(random, frame, 3, n, zero, bend, bend), frame.rounding());
+            ASSERT_LE(left.u.upper - left.u.lower, 20 * bend + 1e-11)
+                << "Net " << i << ": is the map made close to the identity first, whatever its size and its side?";
+            ASSERT_LE(left.v.upper - left.v.lower, 20 * bend + 1e-11) << "Net " << i << ": and v?";
         }
     }
 }
@@ -77,27 +104,63 @@ TEST(Clipping, LeavesAsLittleAsTheNetIsBent) {
 TEST(Clipping, LeavesNothingWhereThereIsNoZero) {
     for (std::uint64_t i = 0; i < 1000; ++i) {
         Random random(3, {i});
+        const Frame frame(random);
         const Real outside = random.below(2) == 0 ? random.uniform(-1, -0.2) : random.uniform(1.2, 2);
         const bool inU = random.below(2) == 0;
         const Real other = random.uniform();
-        const PlaneNet net = netWithZero(random, 3, 3, inU ? outside : other, inU ? other : outside, 1e-3);
-        const PatchDomain left = clippedDomain(net, 1e-15);
-        EXPECT_TRUE(inU ? left.u.empty() : left.v.empty()) << "Net " << i << ": what is left of [0, 1]?";
+        const Vec2 zero(inU ? outside : other, inU ? other : outside);
+        const PatchDomain left = clippedDomain(netWithZero(random, frame, 3, 3, zero, 1e-3, 1e-3), frame.rounding());
+        ASSERT_TRUE(inU ? left.u.empty() : left.v.empty()) << "Net " << i << ": what is left of [0, 1]?";
     }
 }
 
-// A ray at the very edge that two patches share meets one of them: what is left must allow for rounding. A zero that is
-// outside by less than the tolerance stays.
-TEST(Clipping, SharedEdgesLetNothingThrough) {
-    for (std::uint64_t i = 0; i < 400; ++i) {
-        Random random(5, {i});
-        const Real beyond = random.below(2) == 0 ? -1e-9 : 1 + 1e-9;
-        const bool inU = random.below(2) == 0;
-        const Real other = random.uniform(0.1, 0.9);
-        const PlaneNet net = netWithZero(random, 3, 3, inU ? beyond : other, inU ? other : beyond, 0);
-        const PatchDomain kept = clippedDomain(net, 1e-6);
-        EXPECT_FALSE(kept.u.empty() || kept.v.empty()) << "Net " << i << ": what may rounding have done to the net?";
+// Where a linear map's value is within the tolerance in both coordinates: a parallelogram around the zero, whose extent
+// along u and v the inverse's rows tell. All of it is kept, and not more than four times as much.
+TEST(Clipping, KeepsWhatIsWithinTheToleranceOfZero) {
+    for (std::uint64_t i = 0; i < 2000; ++i) {
+        Random random(6, {i});
+        const Frame frame(random);
+        const Vec2 zero(random.uniform(-0.05, 1.05), random.uniform(0.3, 0.7));
+        const PlaneNet net = netWithZero(random, frame, 2, 3, zero, 0, 0);
+        const Real determinant = std::abs(frame.u.x() * frame.v.y() - frame.u.y() * frame.v.x());
+        const Real tolerance = 0.1 * determinant / (frame.u.norm() + frame.v.norm());
+        const Vec2 half = tolerance * Vec2(frame.v.lpNorm<1>(), frame.u.lpNorm<1>()) / determinant;
+        const PatchDomain kept = clippedDomain(net, tolerance);
+        for (const auto& [interval, at, by] : {std::tuple(kept.u, zero.x(), half.x()), {kept.v, zero.y(), half.y()}}) {
+            if (at + by < 0 || at - by > 1) continue;
+            ASSERT_LE(interval.lower, std::max(at - by, Real(0)) + 1e-9)
+                << "Net " << i << ": how far may u and v be from the zero, when the value is off by the tolerance?";
+            ASSERT_GE(interval.upper, std::min(at + by, Real(1)) - 1e-9) << "Net " << i << ": and on the other side?";
+            ASSERT_GE(interval.lower, std::max(at - 4 * by, Real(0)) - 1e-9)
+                << "Net " << i << ": is the tolerance turned into u and v by the size of what the net does along them?";
+            ASSERT_LE(interval.upper, std::min(at + 4 * by, Real(1)) + 1e-9) << "Net " << i;
+        }
     }
+}
+
+// A net whose mean derivatives make an angle below 1e-6 is seen edge-on, or folded: its inverse tells nothing. From
+// there on it does, though all is magnified.
+TEST(Clipping, CutsNothingOffANetSeenEdgeOn) {
+    for (std::uint64_t i = 0; i < 200; ++i) {
+        Random random(7, {i});
+        Frame frame(random);
+        const Real ratio = (random.below(2) == 0 ? 1 : -1) * std::pow(10, random.uniform(-2, 2));
+        const Vec2 across(-frame.u.y(), frame.u.x());
+        const Vec2 outside(random.uniform(2, 3), random.uniform(-3, -2));
+        frame.v = ratio * (frame.u + random.uniform(2e-6, 1e-3) * across);
+        const PatchDomain none = clippedDomain(netWithZero(random, frame, 3, 2, outside, 0, 0), frame.rounding());
+        ASSERT_TRUE(none.u.empty() || none.v.empty()) << "Net " << i << ": an angle above 1e-6 tells something.";
+        frame.v = ratio * (frame.u + random.uniform(-0.9e-6, 0.9e-6) * across);
+        const PatchDomain kept = clippedDomain(netWithZero(random, frame, 3, 2, outside, 0, 0), frame.rounding());
+        ASSERT_EQ(kept.u.lower, 0) << "Net " << i << ": the derivatives make an angle below 1e-6. What is then known?";
+        ASSERT_EQ(kept.u.upper, 1);
+        ASSERT_EQ(kept.v.lower, 0);
+        ASSERT_EQ(kept.v.upper, 1);
+    }
+}
+
+// A ray at the very edge that two patches share meets one of them: what is left must allow for rounding.
+TEST(Clipping, SharedEdgesLetNothingThrough) {
     for (std::uint64_t k = 0; k < 40; ++k) {
         Random random(4, {k});
         std::vector<Vec3> points;
@@ -118,7 +181,7 @@ TEST(Clipping, SharedEdgesLetNothingThrough) {
             const Vec3 at = a.evaluate(random.uniform(0.02, 0.98), 1).point;
             const Vec3 from = at + Vec3(0, 0, random.below(2) == 0 ? 2 : -2) + 0.4 * inCube(random);
             const ShearedRay ray({from, at - from});
-            EXPECT_GE(patchRoots(a, ray).size() + patchRoots(b, ray).size(), 1U)
+            ASSERT_GE(patchRoots(a, ray).size() + patchRoots(b, ray).size(), 1U)
                 << "Patch " << k << ", ray " << i << ": is the domain padded by the tolerance?";
         }
     }
