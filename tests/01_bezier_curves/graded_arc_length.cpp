@@ -7,9 +7,17 @@
 #include "core/error.h"
 #include "curve/arc_length.h"
 #include "support/known_curves.h"
+#include "support/random_curves.h"
+#include "support/reference_curve.h"
 
 namespace caustic {
 namespace {
+
+// The parabola, larger or smaller, turned upright and away from the origin.
+BezierCurve parabolaOfSize(Real size) {
+    const auto at = [&](Real x, Real y) { return Vec3(3 * size, size * (y - 7), size * (2 - x)); };
+    return BezierCurve({at(0, 0), at(0.5, 0), at(1, 1)});
+}
 
 // A straight line is its own chord. Its ends are 7 apart: 2² + 3² + 6² = 7².
 TEST(ChordLength, IsExactForALineInSpace) {
@@ -17,6 +25,11 @@ TEST(ChordLength, IsExactForALineInSpace) {
     for (const int segments : {1, 2, 7}) {
         EXPECT_NEAR(chordLength(line, segments), 7, 1e-13)
             << segments << " segments: are all of them there, and all three coordinates in each?";
+        for (const Real size : {1e-200, 1e200}) {
+            const BezierCurve scaled({size * Vec3(1, 2, 3), size * Vec3(3, 5, 9)});
+            EXPECT_NEAR(chordLength(scaled, segments) / size, 7, 1e-13)
+                << "size " << size << ": whose square is ∞, or 0?";
+        }
     }
 }
 
@@ -31,6 +44,10 @@ TEST(ChordLength, IsThePolygonsThroughEvenlySpacedParameters) {
         }
         EXPECT_NEAR(chordLength(test::parabola(), segments), expected, 1e-13)
             << segments << " segments: at which parameters do they begin and end? They join points of the curve.";
+    }
+    for (const int none : {0, -1}) {
+        EXPECT_THROW(chordLength(test::parabola(), none), InputError)
+            << none << " segments: into what is the curve cut?";
     }
 }
 
@@ -60,6 +77,16 @@ TEST(GaussLength, ErrorBoundsTheTrueError) {
             << "cusp at " << cusp << ": do the errors of all pieces enter the result's error?";
         EXPECT_LE(estimate.error, tolerance);
     }
+    for (const auto& [name, curve] : test::randomCurves(5, 30)) {
+        const auto truth = static_cast<Real>(test::ReferenceCurve(curve).length());
+        for (const Real wanted : {1e-1, 1e-4, 1e-9, 1e-30}) {
+            const LengthEstimate estimate = gaussLength(curve, wanted);
+            EXPECT_LE(std::abs(estimate.length - truth), estimate.error + 1e-16 * truth)
+                << name << ", tolerance " << wanted << ": is rounding in the error, too?";
+            EXPECT_LE(estimate.error, std::max(wanted, 1e-11)) << name << ": what ends the halving?";
+            EXPECT_GT(estimate.evaluations, 0) << "How often was the speed asked for?";
+        }
+    }
 }
 
 // Between two parameters: the ratio of the closed form's differences. What is no range is refused.
@@ -73,20 +100,37 @@ TEST(GaussLength, MeasuresAPartOfTheCurve) {
     }
     EXPECT_THROW(gaussLength(test::parabola(), 1e-9, 0.6, 0.4), InputError) << "Which end comes first?";
     EXPECT_THROW(gaussLength(test::parabola(), 1e-9, 0, 1.1), InputError) << "Where does the curve end?";
+    EXPECT_THROW(gaussLength(test::parabola(), 1e-9, -0.1, 1), InputError) << "Where does the curve begin?";
+    EXPECT_THROW(gaussLength(test::parabola(), 0), InputError) << "When would it be exact enough?";
+    for (const Real place : {0.0, 0.3, 1.0}) {
+        const LengthEstimate none = gaussLength(test::parabola(), 1e-9, place, place);
+        EXPECT_EQ(none.length, 0) << "From " << place << " to " << place;
+        EXPECT_EQ(none.error, 0);
+    }
+    for (const Real size : {1e-200, 1e-6, 1e6, 1e200}) {
+        const LengthEstimate scaled = gaussLength(parabolaOfSize(size), 1e-9 * size);
+        EXPECT_NEAR(scaled.length / size, test::parabolaLength(1), 1e-9) << "size " << size << ": whose square is 0?";
+        EXPECT_LE(scaled.error / size, 1e-9) << "size " << size;
+    }
 }
 
-// The closed form again, as a function of t.
+// The closed form again, as a function of t. Pieces agree to 1e-9 of the curve's length, whatever its unit.
 TEST(EvenlySpaced, CutsTheParabolaIntoEqualLengths) {
-    constexpr int count = 5;
-    const std::vector<Real> cuts = evenlySpaced(test::parabola(), count);
-    ASSERT_EQ(cuts.size(), 6U) << "Five pieces have how many ends?";
-    EXPECT_EQ(cuts.front(), 0);
-    EXPECT_EQ(cuts.back(), 1);
-    for (int i = 1; i < count; ++i) {
-        const Real t = cuts[static_cast<std::size_t>(i)];
-        EXPECT_NEAR(test::parabolaLength(t), test::parabolaLength(1) * i / count, 1e-8)
-            << "cut " << i << " at t = " << t << ": is it the length that is cut evenly, or the parameter?";
+    for (const Real size : {1.0, 1e-6, 1e6}) {
+        for (const int count : {1, 5, 60}) {
+            const std::vector<Real> cuts = evenlySpaced(parabolaOfSize(size), count);
+            ASSERT_EQ(cuts.size(), static_cast<std::size_t>(count + 1)) << "So many pieces have how many ends?";
+            EXPECT_EQ(cuts.front(), 0);
+            EXPECT_EQ(cuts.back(), 1);
+            for (std::size_t i = 1; i < cuts.size(); ++i) {
+                EXPECT_NEAR(test::parabolaLength(cuts[i]) - test::parabolaLength(cuts[i - 1]),
+                            test::parabolaLength(1) / count, 1e-9 * test::parabolaLength(1))
+                    << "size " << size << ", piece " << i << " of " << count
+                    << ": is it the length that is cut evenly, and is what remains held against the curve's length?";
+            }
+        }
     }
+    EXPECT_THROW(evenlySpaced(test::parabola(), 0), InputError) << "How many pieces?";
 }
 
 // Near the cusp the curve hardly moves: Newton's step, remaining length / speed, goes far astray. With the cusp at 0.5

@@ -1,7 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <vector>
 
+#include "core/error.h"
 #include "core/random.h"
 #include "curve/curve_bounds.h"
 #include "support/known_curves.h"
@@ -28,12 +32,23 @@ TEST(SampledBounds, TakesInTheEndPoints) {
     const Bounds3 box = sampledBounds(curve, 8);
     EXPECT_LT((box.min() - Vec3(0, -1, -1)).norm(), 1e-13) << "Where is a rising coordinate smallest?";
     EXPECT_LT((box.max() - Vec3(4, 5, 5)).norm(), 1e-13);
+    for (const int few : {1, 0, -3}) EXPECT_THROW(sampledBounds(curve, few), InputError) << few << " samples";
+    const Bounds3 ends = sampledBounds(BezierCurve({Vec3(2, 0, -7), Vec3(1, 0, 3)}), 2);
+    EXPECT_LT((ends.min() - Vec3(1, 0, -7)).norm(), 1e-13) << "Two samples are the two ends.";
+    EXPECT_LT((ends.max() - Vec3(2, 0, 3)).norm(), 1e-13);
+    // Within the first and within the last piece: y = t (1 - 4 t) and its mirror, highest at 1/8 and 7/8.
+    for (const Real side : {0.0, 1.0}) {
+        const BezierCurve hump({Vec3(0, -3 * side, 0), Vec3(0, 0.5, 0), Vec3(0, -3 * (1 - side), 0)});
+        EXPECT_NEAR(sampledBounds(hump, 5).max().y(), 1.0 / 16, 1e-12) << "What lies beside the sample at an end?";
+    }
 }
 
 // y = -(t - 3/8)²: the samples at 1/4 and 1/2 are equal, to the last bit, and the maximum, 0, lies between them.
 TEST(SampledBounds, FindsAPeakBetweenEqualSamples) {
     const BezierCurve curve({Vec3(0, -9.0 / 64, 0), Vec3(1, 15.0 / 64, 0), Vec3(2, -25.0 / 64, 0)});
     EXPECT_NEAR(sampledBounds(curve, 5).max().y(), 0, 1e-12) << "Does a bracket need < on both sides?";
+    const BezierCurve below({Vec3(0, 9.0 / 64, 0), Vec3(1, -15.0 / 64, 0), Vec3(2, 25.0 / 64, 0)});
+    EXPECT_NEAR(sampledBounds(below, 5).min().y(), 0, 1e-12) << "And a valley?";
 }
 
 // Two maxima as close as 0.003, anywhere: some pairs fall between the samples of whatever grid. A hundred millionth of
@@ -53,9 +68,20 @@ TEST(ExactBounds, SeesBothOfTwoCloseMaxima) {
     }
 }
 
+// Curves of all kinds, in a space whose axes are of different lengths: rounding on one says nothing about the others.
+std::vector<test::NamedCurve> lopsidedCurves() {
+    std::vector<test::NamedCurve> curves = test::randomCurves(8, 36);
+    for (auto& [name, curve] : curves) {
+        std::vector<Vec3> points = curve.controlPoints();
+        for (Vec3& point : points) point = Vec3(1e6 * point.x(), point.y() + 3, 1e-6 * point.z());
+        curve = BezierCurve(points);
+    }
+    return curves;
+}
+
 // Never smaller than the curve, not by the last bit: the judge computes with 113 bits.
 TEST(ExactBounds, IsNeverSmallerThanTheCurve) {
-    for (const auto& [name, curve] : test::randomCurves(8, 60)) {
+    for (const auto& [name, curve] : lopsidedCurves()) {
         const Bounds3 box = exactBounds(curve);
         const test::ReferenceCurve reference(curve);
         for (int axis = 0; axis < 3; ++axis) {
@@ -73,6 +99,20 @@ TEST(ExactBounds, IsNoLargerThanRoundingAsks) {
     EXPECT_LT((box.max() - Vec3(peak, 1 + peak, 5 + 2 * peak)).maxCoeff(), 1e-9)
         << "Is it the curve's box, or that of its control points?";
     EXPECT_LT((Vec3(-peak, 1 - peak, 5 - 2 * peak) - box.min()).maxCoeff(), 1e-9);
+    constexpr Real unitRoundoff = std::numeric_limits<Real>::epsilon() / 2;
+    for (const auto& [name, curve] : lopsidedCurves()) {
+        const Bounds3 whole = exactBounds(curve);
+        const test::ReferenceCurve reference(curve);
+        for (int axis = 0; axis < 3; ++axis) {
+            Real largest = 0;
+            for (const Vec3& point : curve.controlPoints()) largest = std::max(largest, std::abs(point[axis]));
+            const Real allowed = 16 * (curve.degree() + 1) * unitRoundoff * largest;
+            const auto [low, high] = reference.range(axis);
+            EXPECT_LE(static_cast<Real>(test::Quad(whole.max()[axis]) - high), allowed)
+                << name << ", axis " << axis << ": how much may the box exceed the curve, and on which axis?";
+            EXPECT_LE(static_cast<Real>(low - test::Quad(whole.min()[axis])), allowed) << name << ", axis " << axis;
+        }
+    }
 }
 
 }  // namespace
