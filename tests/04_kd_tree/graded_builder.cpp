@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -14,14 +15,21 @@ using test::inCube;
 using Box = KdBox<Real>;
 using Event = KdEvent<Real>;
 
-std::vector<Box> randomBoxes(std::uint64_t seed, int count, Real flatShare) {
+// Boxes of coordinates that come again and again, so that many begin and end at one place; some are flat. All of them lie
+// far from the origin, in a space that is longer than wide.
+std::vector<Box> randomBoxes(std::uint64_t seed, int count, Real flatShare, Real scale = 1) {
     std::vector<Box> boxes;
     for (int i = 0; i < count; ++i) {
         Random random(seed, {static_cast<std::uint64_t>(i)});
-        const Vec3 corner = inCube(random);
-        Vec3 size = 0.3 * (inCube(random) + Vec3::Ones());
-        if (random.uniform() < flatShare) size.x() = 0;
-        boxes.emplace_back(corner, corner + size);
+        Vec3 corner;
+        Vec3 size;
+        for (int axis = 0; axis < 3; ++axis) {
+            corner[axis] = static_cast<Real>(random.below(12)) / 8;
+            size[axis] = random.uniform() < flatShare ? 0 : static_cast<Real>(1 + random.below(4)) / 8;
+        }
+        const Vec3 stretch = scale * Vec3(1, 4, 0.5);
+        const Vec3 far = scale * Vec3(64, -32, 16);
+        boxes.emplace_back(far + stretch.cwiseProduct(corner), far + stretch.cwiseProduct(corner + size));
     }
     return boxes;
 }
@@ -42,6 +50,9 @@ std::vector<Event> eventsOf(const std::vector<Box>& boxes, int axis) {
     return events;
 }
 
+// Half a box's surface.
+Real halfSurface(const Vec3& d) { return d.x() * d.y() + d.y() * d.z() + d.z() * d.x(); }
+
 // A box of 2 x 1 x 1 has the surface 10, its halves 6 each: 1 + 6/10 (3 + 5) tests of cost 2.
 TEST(SplitCost, IsOneStepAndTheItemsByTheChanceToMeetTheirSide) {
     const Box box(Vec3::Zero(), Vec3(2, 1, 1));
@@ -53,6 +64,29 @@ TEST(SplitCost, IsOneStepAndTheItemsByTheChanceToMeetTheirSide) {
     // Across y: 0.25 of the height leaves a surface of 2 (2 + 0.25 + 0.5) = 5.5, the rest one of 8.5.
     EXPECT_NEAR(splitCost<Real>(box, 1, 0.25, 4, 7, rule), 1 + 2 * (0.55 * 4 + 0.85 * 7), 1e-12)
         << "Which axis is cut?";
+    for (std::uint64_t i = 0; i < 300; ++i) {
+        Random random(5, {i});
+        const Real scale = std::pow(10, random.uniform(-6, 6));
+        const Vec3 size = scale * Vec3(random.uniform(0.1, 1), random.uniform(1, 2), random.uniform(2, 4));
+        const Vec3 corner = 3 * scale * inCube(random);
+        const std::uint32_t axis = static_cast<std::uint32_t>(random.below(3));
+        const Real share = random.uniform(0.1, 0.9);
+        const auto below = static_cast<std::uint32_t>(1 + random.below(50));
+        const auto above = static_cast<std::uint32_t>(1 + random.below(50));
+        rule.stepCost = random.uniform(0, 5);
+        rule.itemCost = random.uniform(0.5, 3);
+        Vec3 lower = size;
+        Vec3 upper = size;
+        lower[axis] *= share;
+        upper[axis] *= 1 - share;
+        const Real expected = rule.stepCost + rule.itemCost *
+                                                  (halfSurface(lower) * below + halfSurface(upper) * above) /
+                                                  halfSurface(size);
+        const Real found = splitCost<Real>(Box(corner, corner + size), axis, corner[axis] + share * size[axis], below,
+                                           above, rule);
+        ASSERT_NEAR(found, expected, 1e-11 * expected)
+            << "Box " << i << ", cut across axis " << axis << ": is the plane at its place, not at the origin's?";
+    }
 }
 
 // Leaves of eight are tested at once: 9 items cost as much as 16.
@@ -71,26 +105,27 @@ TEST(SplitCost, CountsWholeBlocksAndForgivesEmptySides) {
 
 // By definition: every place where a box begins or ends is tried, the boxes on each side are counted one by one.
 TEST(SweepPlanes, FindsWhatTryingEveryPlaneFinds) {
-    for (std::uint64_t seed = 0; seed < 200; ++seed) {
-        const std::vector<Box> boxes = randomBoxes(seed, 2 + static_cast<int>(seed % 30), 0.3);
+    for (std::uint64_t seed = 0; seed < 300; ++seed) {
+        const Real scale = std::array<Real, 3>{1, 0x1p-20, 0x1p20}[seed % 3];
+        const std::vector<Box> boxes = randomBoxes(seed, 2 + static_cast<int>(seed % 30), 0.3, scale);
         Box all;
         for (const Box& box : boxes) all.extend(box);
         const KdRule rule;
         for (std::uint32_t axis = 0; axis < 3; ++axis) {
+            const auto costAt = [&](Real at, bool flatBelow) {
+                std::uint32_t below = 0;
+                std::uint32_t above = 0;
+                for (const Box& box : boxes) {
+                    const bool isFlat = box.min()[axis] == at && box.max()[axis] == at;
+                    below += (isFlat ? flatBelow : box.min()[axis] < at) ? 1U : 0U;
+                    above += (isFlat ? !flatBelow : box.max()[axis] > at) ? 1U : 0U;
+                }
+                return splitCost<Real>(all, axis, at, below, above, rule);
+            };
             Real cheapest = 1e30;
             for (const Event& event : eventsOf(boxes, static_cast<int>(axis))) {
                 if (event.at <= all.min()[axis] || event.at >= all.max()[axis]) continue;
-                std::uint32_t below = 0;
-                std::uint32_t above = 0;
-                std::uint32_t flat = 0;
-                for (const Box& box : boxes) {
-                    const bool isFlat = box.min()[axis] == event.at && box.max()[axis] == event.at;
-                    flat += isFlat ? 1U : 0U;
-                    below += !isFlat && box.min()[axis] < event.at ? 1U : 0U;
-                    above += !isFlat && box.max()[axis] > event.at ? 1U : 0U;
-                }
-                cheapest = std::min({cheapest, splitCost<Real>(all, axis, event.at, below + flat, above, rule),
-                                     splitCost<Real>(all, axis, event.at, below, above + flat, rule)});
+                cheapest = std::min({cheapest, costAt(event.at, true), costAt(event.at, false)});
             }
             KdPlane<Real> best;
             best.cost = 1e30;
@@ -102,6 +137,8 @@ TEST(SweepPlanes, FindsWhatTryingEveryPlaneFinds) {
                    "boxes count on one side only?";
             if (cheapest < 1e30) {
                 EXPECT_EQ(best.axis, axis) << "Is the axis stored with the plane?";
+                EXPECT_NEAR(costAt(best.at, best.flatBelow), cheapest, 1e-9 * cheapest)
+                    << "Is it said with the plane where it is and to which side flat boxes go?";
             }
         }
     }
@@ -117,6 +154,12 @@ TEST(SweepPlanes, KeepsABetterPlaneAndStaysWithinTheBox) {
     best.at = 42;
     sweepPlanes<Real>(eventsOf(boxes, 0), all, 0, 20, KdRule{}, best);
     EXPECT_EQ(best.at, 42) << "Is the best plane replaced by a worse one?";
+    best.cost = 1e30;
+    sweepPlanes<Real>(eventsOf(boxes, 0), all, 0, 20, KdRule{}, best);
+    KdPlane<Real> first = best;
+    first.at = 42;
+    sweepPlanes<Real>(eventsOf(boxes, 0), all, 0, 20, KdRule{}, first);
+    EXPECT_EQ(first.at, 42) << "Is the best plane replaced by one that costs as much?";
 
     // All boxes fill the whole: events at the faces alone.
     const std::vector<Box> same(5, Box(Vec3::Zero(), Vec3::Ones()));

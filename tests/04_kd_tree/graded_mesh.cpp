@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "mesh/obj_file.h"
-#include "mesh/polygon.h"
 #include "mesh/triangle_clip.h"
 #include "mesh/triangle_mesh.h"
 #include "mesh/vertex_normals.h"
@@ -18,15 +17,21 @@ namespace {
 
 using test::inCube;
 
-// Every point of the triangle that is in the cell must be in the box; sampled densely.
+// Every point of the triangle that is in the cell must be in the box, which never reaches out of the cell; sampled densely.
 TEST(TriangleClip, HoldsAllThatIsInTheCell) {
     for (std::uint64_t i = 0; i < 2000; ++i) {
         Random random(1, {i});
-        const std::array<Vec3, 3> corners = {2 * inCube(random), 2 * inCube(random), 2 * inCube(random)};
+        const Real scale = std::array<Real, 3>{1, 1e-6, 1e6}[i % 3];
+        const Vec3 far = i % 2 == 0 ? Vec3(0, 0, 0) : Vec3(-20, 7, 30);
+        const auto placed = [&](const Vec3& p) -> Vec3 { return scale * (p + far); };
+        const std::array<Vec3, 3> corners = {placed(2 * inCube(random)), placed(2 * inCube(random)),
+                                             placed(2 * inCube(random))};
         const Vec3 center = inCube(random);
-        const Bounds3 cell(center - Vec3(0.4, 0.5, 0.6), center + Vec3(0.6, 0.5, 0.4));
+        const Bounds3 cell(placed(center - Vec3(0.4, 0.5, 0.6)), placed(center + Vec3(0.6, 0.5, 0.4)));
         Bounds3 box = clippedTriangleBounds(corners[0], corners[1], corners[2], cell);
-        if (!box.isEmpty()) box = {box.min() - Vec3::Constant(1e-12), box.max() + Vec3::Constant(1e-12)};
+        ASSERT_TRUE(box.isEmpty() || cell.contains(box)) << "May it be larger than the cell, by rounding?";
+        const Vec3 rounding = Vec3::Constant(scale * 1e-11);
+        if (!box.isEmpty()) box = {box.min() - rounding, box.max() + rounding};
         for (int k = 0; k < 60; ++k) {
             const Real size = std::sqrt(random.uniform());
             const Real share = random.uniform();
@@ -75,15 +80,38 @@ TEST(InterpolatedNormal, IsTheCornersNormalsByBarycentricCoordinates) {
         << "A file's normals may have any length: are they made unit ones before they are mixed, and the sum after?";
 }
 
+// The second of two triangles, whose corners name normals in an order of their own, of lengths far apart.
+TEST(InterpolatedNormal, TakesTheNormalsThatTheTrianglesCornersName) {
+    MeshData mesh = oneTriangle();
+    mesh.triangles = {{0, 1, 2}, {2, 1, 0}};
+    mesh.normalCorners = {{1, 1, 1}, {3, 0, 2}};
+    const std::array<Vec3, 3> unit = {Vec3(0.48, 0.64, 0.6), Vec3(-0.6, 0, 0.8), Vec3(0.28, -0.96, 0)};
+    for (const Real length : {1.0, 1e-6, 1e6}) {
+        mesh.normals = {length * unit[1], Vec3::UnitX(), unit[2] / length, 7 * unit[0]};
+        for (const Vec2& b : {Vec2(0.2, 0.3), Vec2(0.7, 0.1), Vec2(0, 0.4)}) {
+            const Vec3 expected = ((1 - b.x() - b.y()) * unit[0] + b.x() * unit[1] + b.y() * unit[2]).normalized();
+            EXPECT_TRUE(interpolatedNormal(mesh, {{1, b.x(), b.y()}, 1}, Vec3(0.6, 0, 0.8)).isApprox(expected, 1e-13))
+                << "Lengths " << length << ": which list do a triangle's normals come from, and by which numbers?";
+        }
+    }
+}
+
 TEST(InterpolatedNormal, StaysOnTheFacesSideAndFallsBackToIt) {
     MeshData mesh = oneTriangle();
-    EXPECT_TRUE(interpolatedNormal(mesh, {{1, 0.3, 0.3}, 0}, -Vec3::UnitZ()).z() < 0) << "ns is on the side of ng.";
+    const Vec3 front = interpolatedNormal(mesh, {{1, 0.3, 0.3}, 0}, Vec3::UnitZ());
+    const Vec3 back = interpolatedNormal(mesh, {{1, 0.3, 0.3}, 0}, -Vec3::UnitZ());
+    EXPECT_GT(front.z(), 0);
+    EXPECT_EQ(back, -front) << "ns is on the side of ng.";
     mesh.normals[1] = Vec3::Zero();
     EXPECT_EQ(interpolatedNormal(mesh, {{1, 0.3, 0.3}, 0}, Vec3::UnitZ()), Vec3::UnitZ()) << "A corner has no normal.";
     mesh.normals = {Vec3::UnitX(), -Vec3::UnitX(), Vec3::UnitX()};
     EXPECT_EQ(interpolatedNormal(mesh, {{1, 0.5, 0}, 0}, Vec3::UnitZ()), Vec3::UnitZ()) << "The normals cancel.";
-    mesh.normalCorners = {{0, MeshData::none, 2}};
-    EXPECT_EQ(interpolatedNormal(mesh, {{1, 0.3, 0.3}, 0}, Vec3::UnitZ()), Vec3::UnitZ()) << "A corner names none.";
+    mesh = oneTriangle();
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+        mesh.normalCorners = {{0, 1, 2}};
+        mesh.normalCorners[0][corner] = MeshData::none;
+        EXPECT_EQ(interpolatedNormal(mesh, {{1, 0.3, 0.3}, 0}, Vec3::UnitZ()), Vec3::UnitZ()) << "A corner names none.";
+    }
     mesh.normalCorners.clear();
     EXPECT_EQ(interpolatedNormal(mesh, {{1, 0.3, 0.3}, 0}, Vec3::UnitZ()), Vec3::UnitZ()) << "The mesh has none.";
 }
@@ -98,22 +126,56 @@ MeshData cornerOfABox(const Vec3& size) {
     return mesh;
 }
 
+// A crumpled sheet somewhere: each vertex against the sum over all triangles that name it, each with its weight.
+template <typename Weight>
+void expectSumOverTriangles(NormalWeight weight, const Weight& weightOf) {
+    for (const Real scale : {1.0, 1e-6, 1e6}) {
+        Random random(8, {});
+        MeshData mesh;
+        for (int i = 0; i < 9; ++i) mesh.positions.push_back(scale * (Vec3(i / 3, i % 3, 0) + 0.4 * inCube(random)));
+        for (Vec3& position : mesh.positions) position += scale * Vec3(5, -3, 8);
+        for (const std::uint32_t i : {0U, 1U, 3U, 4U}) {
+            mesh.triangles.push_back({i, i + 3, i + 4});
+            mesh.triangles.push_back({i + 4, i + 1, i});
+        }
+        const auto normals = vertexNormals(mesh, weight);
+        for (std::uint32_t vertex = 0; vertex < 9; ++vertex) {
+            Vec3 sum = Vec3::Zero();
+            for (const auto& triangle : mesh.triangles) {
+                for (std::size_t i = 0; i < 3; ++i) {
+                    if (triangle[i] != vertex) continue;
+                    const Vec3 next = (mesh.positions[triangle[(i + 1) % 3]] - mesh.positions[vertex]) / scale;
+                    const Vec3 last = (mesh.positions[triangle[(i + 2) % 3]] - mesh.positions[vertex]) / scale;
+                    sum += weightOf(next, last) * next.cross(last).normalized();
+                }
+            }
+            EXPECT_TRUE(normals[vertex].isApprox(sum.normalized(), 1e-11))
+                << "vertex " << vertex << ", scale " << scale << ": what does each of its triangles add, and how much?";
+        }
+    }
+}
+
 TEST(VertexNormals, MeanTakesEachTriangleOnce) {
     const Vec3 normal = vertexNormals(cornerOfABox(Vec3(1, 2, 3)), NormalWeight::Mean)[0];
     EXPECT_TRUE(normal.isApprox(Vec3(-1, -1, -2).normalized(), 1e-14))
         << normal.transpose() << ": two triangles look along -z. Does each count with a unit normal?";
+    expectSumOverTriangles(NormalWeight::Mean, [](const Vec3&, const Vec3&) { return 1; });
 }
 
 TEST(VertexNormals, AreaTakesLargeTrianglesMore) {
     const Vec3 normal = vertexNormals(cornerOfABox(Vec3(1, 2, 3)), NormalWeight::Area)[0];
     // x = 0: half of 2 · 3; y = 0: half of 1 · 3; z = 0: two halves of 1 · 2.
     EXPECT_TRUE(normal.isApprox(-Vec3(3, 1.5, 2).normalized(), 1e-14)) << normal.transpose();
+    expectSumOverTriangles(NormalWeight::Area, [](const Vec3& a, const Vec3& b) { return a.cross(b).norm(); });
 }
 
 TEST(VertexNormals, AngleDoesNotSeeHowAFaceIsCut) {
     const Vec3 normal = vertexNormals(cornerOfABox(Vec3(1, 2, 3)), NormalWeight::Angle)[0];
     EXPECT_TRUE(normal.isApprox(-Vec3(1, 1, 1).normalized(), 1e-14))
         << normal.transpose() << ": three right angles meet. Is the angle the one at this vertex?";
+    expectSumOverTriangles(NormalWeight::Angle, [](const Vec3& a, const Vec3& b) {
+        return std::acos(a.normalized().dot(b.normalized()));
+    });
 }
 
 TEST(VertexNormals, NothingComesFromTrianglesWithoutArea) {
@@ -127,46 +189,6 @@ TEST(VertexNormals, NothingComesFromTrianglesWithoutArea) {
         EXPECT_TRUE(normals[0].allFinite()) << "What is 0 / 0?";
         EXPECT_NEAR(normals[0].norm(), 1, 1e-14);
     }
-}
-
-Real areaOf(const std::vector<Vec3>& corners, const std::array<std::uint32_t, 3>& triangle) {
-    const auto& [a, b, c] = triangle;
-    return (corners[b] - corners[a]).cross(corners[c] - corners[a]).z() / 2;
-}
-
-// An arrow's head, an L, and a comb: signed areas must be positive and sum to the polygon's.
-TEST(Triangulated, CoversConcavePolygonsOnce) {
-    const std::vector<std::vector<Vec3>> polygons = {
-        {Vec3(0, 0, 0), Vec3(2, -1, 0), Vec3(0.5, 0, 0), Vec3(2, 1, 0)},
-        {Vec3(0, 0, 0), Vec3(2, 0, 0), Vec3(2, 1, 0), Vec3(1, 1, 0), Vec3(1, 2, 0), Vec3(0, 2, 0)},
-        {Vec3(0, 0, 0), Vec3(5, 0, 0), Vec3(5, 3, 0), Vec3(4, 3, 0), Vec3(4, 1, 0), Vec3(3, 1, 0), Vec3(3, 3, 0),
-         Vec3(2, 3, 0), Vec3(2, 1, 0), Vec3(1, 1, 0), Vec3(1, 3, 0), Vec3(0, 3, 0)}};
-    const std::array<Real, 3> areas = {0.5, 3, 11};
-    for (std::size_t i = 0; i < polygons.size(); ++i) {
-        for (std::size_t turn = 0; turn < polygons[i].size(); ++turn) {
-            std::vector<Vec3> corners = polygons[i];
-            std::rotate(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(turn), corners.end());
-            const auto triangles = triangulated(corners);
-            ASSERT_EQ(triangles.size(), corners.size() - 2);
-            Real sum = 0;
-            for (const auto& triangle : triangles) {
-                EXPECT_GE(areaOf(corners, triangle), 0) << "polygon " << i << ": which corner is no ear?";
-                sum += std::abs(areaOf(corners, triangle));
-            }
-            EXPECT_NEAR(sum, areas[i], 1e-12) << "polygon " << i << ": do triangles overlap?";
-        }
-    }
-}
-
-// Whichever way a polygon is seen, its triangles go round as it does; one that crosses itself still has n - 2.
-TEST(Triangulated, KeepsTheWayRoundAndEndsAlways) {
-    const std::vector<Vec3> head = {Vec3(0, 0, 0), Vec3(2, -1, 0), Vec3(0.5, 0, 0), Vec3(2, 1, 0)};
-    const std::vector<Vec3> reversed(head.rbegin(), head.rend());
-    for (const auto& triangle : triangulated(reversed)) EXPECT_LE(areaOf(reversed, triangle), 0) << "Seen from behind.";
-    const std::vector<Vec3> crossing = {Vec3(0, 0, 0), Vec3(2, 2, 0), Vec3(2, 0, 0), Vec3(0, 2, 0), Vec3(-1, 1, 0)};
-    EXPECT_EQ(triangulated(crossing).size(), 3U);
-    const std::vector<Vec3> point(6, Vec3::Ones());
-    EXPECT_EQ(triangulated(point).size(), 4U) << "A polygon without area must not stop the reader.";
 }
 
 // As in the OBJ specification: 1 is the first, -1 the latest.
