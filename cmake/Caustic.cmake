@@ -142,15 +142,18 @@ function(_caustic_check_header out header target)
   set(ours "$<FILTER:${folders},INCLUDE,^${CMAKE_SOURCE_DIR}/>")
   set(foreign "$<FILTER:${folders},EXCLUDE,^${CMAKE_SOURCE_DIR}/>")
   set(definitions "$<TARGET_PROPERTY:${target},INTERFACE_COMPILE_DEFINITIONS>")
-  set(precompiled none)
-  if(TARGET caustic_precompiled_eigen)
-    set(precompiled "${CMAKE_BINARY_DIR}/CMakeFiles/caustic_precompiled_eigen.dir/cmake_pch.hxx")
-    set(needed caustic_precompiled_eigen)
-  endif()
+  set(precompiled "")
+  set(needed "")
+  foreach(part Geometry Core)  # the larger one first
+    if(TARGET caustic_precompiled_${part})
+      list(APPEND precompiled "Eigen/${part}=${CMAKE_BINARY_DIR}/CMakeFiles/caustic_precompiled_${part}.dir/cmake_pch.hxx")
+      list(APPEND needed caustic_precompiled_${part})
+    endif()
+  endforeach()
   string(TOUPPER "CMAKE_CXX_FLAGS_${CMAKE_BUILD_TYPE}" flags)
   separate_arguments(flags UNIX_COMMAND "${CMAKE_CXX_FLAGS} ${${flags}}")
   add_custom_command(OUTPUT "${checked}"
-    COMMAND Python3::Interpreter "${CMAKE_SOURCE_DIR}/tools/check_header.py" "${CMAKE_SOURCE_DIR}/${header}" "${checked}" "${precompiled}"
+    COMMAND Python3::Interpreter "${CMAKE_SOURCE_DIR}/tools/check_header.py" "${CMAKE_SOURCE_DIR}/${header}" "${checked}" ${precompiled} --
       "${CMAKE_CXX_COMPILER}" ${flags} "$<TARGET_PROPERTY:caustic_options,INTERFACE_COMPILE_OPTIONS>"
       ${OpenMP_CXX_FLAGS} -std=c++${CMAKE_CXX_STANDARD} -Winvalid-pch
       "$<$<BOOL:${definitions}>:-D$<JOIN:${definitions},;-D>>" "$<$<BOOL:${ours}>:-I$<JOIN:${ours},;-I>>"

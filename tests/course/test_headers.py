@@ -29,11 +29,18 @@ class Headers(unittest.TestCase):
         self.assertEqual(check_header.foreign_includes(header, self.root), {"Eigen/Geometry", "cmath"})
         self.assertEqual(check_header.foreign_includes(self.write("common/a.h", "#include <Eigen/Core>\n"), self.root), {"Eigen/Core"})
 
+    def test_nothing_is_read_before_a_header_but_what_it_includes(self):
+        precompiled = ["Eigen/Geometry=geometry.hxx", "Eigen/Core=core.hxx"]
+        for text, found in (("#include <Eigen/Core>\n#include <Eigen/Geometry>\n", "geometry.hxx"), ("#include <Eigen/Core>\n", "core.hxx"),
+                            ("#include <vector>\n", None), ('#include "math/vector.h"\n', "core.hxx"), ("#include <Eigen/LU>\n", None)):
+            self.write("common/math/vector.h", "#include <Eigen/Core>\n")
+            self.assertEqual(check_header.usable(self.write("common/b.h", text), precompiled, self.root), found, text)
+
     def checked(self, text):
         """Whether a header compiles by itself, and whether it was marked as checked."""
         header, mark = self.write("common/a.h", text), self.root / "a.h.checked"
         mark.unlink(missing_ok=True)
-        code = check_header.main([str(header), str(mark), "none", COMPILER, "-std=c++20", "-w"])
+        code = check_header.main([str(header), str(mark), "--", COMPILER, "-std=c++20", "-w"])
         return code == 0, mark.exists()
 
     def test_a_header_that_needs_what_it_does_not_include_is_refused(self):

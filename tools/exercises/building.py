@@ -5,6 +5,7 @@ import os
 import re
 import shutil
 import subprocess
+import sys
 import time
 from dataclasses import dataclass
 from pathlib import Path
@@ -58,7 +59,7 @@ def build_tree(tree, targets, title, variables=(), keep_going=False, sandboxed=F
     if was_moved(tree, folder):
         shutil.rmtree(folder)
     if not is_configured(folder, variables):
-        configured = execute(["cmake", "--preset", PRESET, *(f"-D{variable}" for variable in variables)],
+        configured = execute(["cmake", "--preset", PRESET, f"-DPython3_EXECUTABLE={sys.executable}", *(f"-D{variable}" for variable in variables)],
                              title and f"configure {title}", tree)
         if configured.code != 0:
             reason = re.search(r"CMake Error.*?\n\s*(\S.*)", configured.output)
