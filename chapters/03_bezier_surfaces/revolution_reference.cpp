@@ -37,18 +37,7 @@ public:
         for (segment_ = 0; segment_ < segments_.size(); ++segment_) {
             search(segments_[segment_], {-HUGE_VALL, HUGE_VALL}, 0, true, true);
         }
-        std::sort(found_.begin(), found_.end(), [](const auto& a, const auto& b) { return a.tLow < b.tLow; });
-        std::vector<ReferenceMeeting> merged;
-        const Real gap = static_cast<Real>(1e-11L * size_ / line_.length);
-        for (const ReferenceMeeting& one : found_) {
-            if (merged.empty() || one.tLow > merged.back().tHigh + gap) {
-                merged.push_back(one);
-                continue;
-            }
-            merged.back().tHigh = std::max(merged.back().tHigh, one.tHigh);
-            merged.back().inBand = merged.back().inBand || one.inBand;
-        }
-        return merged;
+        return merged(std::move(found_), static_cast<Real>(1e-11L * size_ / line_.length));
     }
 
 private:
@@ -245,6 +234,20 @@ private:
 };
 
 }  // namespace
+
+std::vector<ReferenceMeeting> merged(std::vector<ReferenceMeeting> found, Real gap) {
+    std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.tLow < b.tLow; });
+    std::vector<ReferenceMeeting> meetings;
+    for (const ReferenceMeeting& one : found) {
+        if (meetings.empty() || one.tLow > meetings.back().tHigh + gap) {
+            meetings.push_back(one);
+            continue;
+        }
+        meetings.back().tHigh = std::max(meetings.back().tHigh, one.tHigh);
+        meetings.back().inBand = meetings.back().inBand || one.inBand;
+    }
+    return meetings;
+}
 
 std::vector<ReferenceMeeting> meetingsBySubdivision(const std::vector<BezierCurve>& profile, const Ray& ray) {
     return Subdivision(profile, ray).run();

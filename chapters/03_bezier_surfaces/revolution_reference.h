@@ -17,6 +17,9 @@ struct ReferenceMeeting {
     bool inBand;
 };
 
+/// Meetings that a search came upon in any order and in pieces, in the order of t; those within `gap` are one.
+std::vector<ReferenceMeeting> merged(std::vector<ReferenceMeeting> found, Real gap);
+
 /// Cosine between ray and normal below which a meeting counts as tangent.
 inline constexpr Real tangencyBand = 1e-5;
 

@@ -14,8 +14,6 @@ NO_CODE = {"C++": ("//", "#include", "#pragma"), "other": ("#", "import ", "from
 KNOWN = {
     ("common/medium/homogeneous_medium.cpp", "tests/support/coloured_fog.cpp"):
         "tests of earlier chapters need a medium that scatters, and must not wait for chapter 11's",
-    ("chapters/03_bezier_surfaces/failures/patch_reference.cpp", "chapters/03_bezier_surfaces/revolution_reference.cpp"):
-        "two references; whoever draws chapter 03 anew may join their ends",
 }
 
 

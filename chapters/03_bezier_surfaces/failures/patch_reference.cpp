@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace caustic {
 
@@ -49,18 +50,7 @@ public:
 
     std::vector<ReferenceMeeting> run() {
         search(whole_, 0);
-        std::sort(found_.begin(), found_.end(), [](const auto& a, const auto& b) { return a.tLow < b.tLow; });
-        std::vector<ReferenceMeeting> merged;
-        const Real gap = static_cast<Real>(1e-10L * size_ / length_);
-        for (const ReferenceMeeting& one : found_) {
-            if (merged.empty() || one.tLow > merged.back().tHigh + gap) {
-                merged.push_back(one);
-                continue;
-            }
-            merged.back().tHigh = std::max(merged.back().tHigh, one.tHigh);
-            merged.back().inBand = merged.back().inBand || one.inBand;
-        }
-        return merged;
+        return merged(std::move(found_), static_cast<Real>(1e-10L * size_ / length_));
     }
 
 private:
