@@ -15,8 +15,8 @@ using test::inCube;
 using Box = KdBox<Real>;
 using Event = KdEvent<Real>;
 
-// Boxes of coordinates that come again and again, so that many begin and end at one place; some are flat. All of them lie
-// far from the origin, in a space that is longer than wide.
+// Boxes of coordinates that come again and again, so that many begin and end at one place; some are flat. All of them
+// lie far from the origin, in a space that is longer than wide.
 std::vector<Box> randomBoxes(std::uint64_t seed, int count, Real flatShare, Real scale = 1) {
     std::vector<Box> boxes;
     for (int i = 0; i < count; ++i) {
@@ -82,8 +82,8 @@ TEST(SplitCost, IsOneStepAndTheItemsByTheChanceToMeetTheirSide) {
         const Real expected = rule.stepCost + rule.itemCost *
                                                   (halfSurface(lower) * below + halfSurface(upper) * above) /
                                                   halfSurface(size);
-        const Real found = splitCost<Real>(Box(corner, corner + size), axis, corner[axis] + share * size[axis], below,
-                                           above, rule);
+        const Real found =
+            splitCost<Real>(Box(corner, corner + size), axis, corner[axis] + share * size[axis], below, above, rule);
         ASSERT_NEAR(found, expected, 1e-11 * expected)
             << "Box " << i << ", cut across axis " << axis << ": is the plane at its place, not at the origin's?";
     }

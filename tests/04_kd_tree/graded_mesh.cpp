@@ -17,7 +17,8 @@ namespace {
 
 using test::inCube;
 
-// Every point of the triangle that is in the cell must be in the box, which never reaches out of the cell; sampled densely.
+// Every point of the triangle that is in the cell must be in the box, which never reaches out of the cell; sampled
+// densely.
 TEST(TriangleClip, HoldsAllThatIsInTheCell) {
     for (std::uint64_t i = 0; i < 2000; ++i) {
         Random random(1, {i});
@@ -78,19 +79,17 @@ TEST(InterpolatedNormal, IsTheCornersNormalsByBarycentricCoordinates) {
     const Vec3 expected = (0.25 * Vec3(0.6, 0, 0.8) + 0.5 * Vec3::UnitZ() + 0.25 * Vec3(0, 0.6, 0.8)).normalized();
     EXPECT_TRUE(middle.isApprox(expected, 1e-14))
         << "A file's normals may have any length: are they made unit ones before they are mixed, and the sum after?";
-}
 
-// The second of two triangles, whose corners name normals in an order of their own, of lengths far apart.
-TEST(InterpolatedNormal, TakesTheNormalsThatTheTrianglesCornersName) {
-    MeshData mesh = oneTriangle();
-    mesh.triangles = {{0, 1, 2}, {2, 1, 0}};
-    mesh.normalCorners = {{1, 1, 1}, {3, 0, 2}};
+    // The second of two triangles, whose corners name normals in an order of their own, of lengths far apart.
+    MeshData several = oneTriangle();
+    several.triangles = {{0, 1, 2}, {2, 1, 0}};
+    several.normalCorners = {{1, 1, 1}, {3, 0, 2}};
     const std::array<Vec3, 3> unit = {Vec3(0.48, 0.64, 0.6), Vec3(-0.6, 0, 0.8), Vec3(0.28, -0.96, 0)};
     for (const Real length : {1.0, 1e-6, 1e6}) {
-        mesh.normals = {length * unit[1], Vec3::UnitX(), unit[2] / length, 7 * unit[0]};
+        several.normals = {length * unit[1], Vec3::UnitX(), unit[2] / length, 7 * unit[0]};
         for (const Vec2& b : {Vec2(0.2, 0.3), Vec2(0.7, 0.1), Vec2(0, 0.4)}) {
-            const Vec3 expected = ((1 - b.x() - b.y()) * unit[0] + b.x() * unit[1] + b.y() * unit[2]).normalized();
-            EXPECT_TRUE(interpolatedNormal(mesh, {{1, b.x(), b.y()}, 1}, Vec3(0.6, 0, 0.8)).isApprox(expected, 1e-13))
+            const Vec3 mixed = ((1 - b.x() - b.y()) * unit[0] + b.x() * unit[1] + b.y() * unit[2]).normalized();
+            EXPECT_TRUE(interpolatedNormal(several, {{1, b.x(), b.y()}, 1}, Vec3(0.6, 0, 0.8)).isApprox(mixed, 1e-13))
                 << "Lengths " << length << ": which list do a triangle's normals come from, and by which numbers?";
         }
     }
@@ -173,9 +172,8 @@ TEST(VertexNormals, AngleDoesNotSeeHowAFaceIsCut) {
     const Vec3 normal = vertexNormals(cornerOfABox(Vec3(1, 2, 3)), NormalWeight::Angle)[0];
     EXPECT_TRUE(normal.isApprox(-Vec3(1, 1, 1).normalized(), 1e-14))
         << normal.transpose() << ": three right angles meet. Is the angle the one at this vertex?";
-    expectSumOverTriangles(NormalWeight::Angle, [](const Vec3& a, const Vec3& b) {
-        return std::acos(a.normalized().dot(b.normalized()));
-    });
+    expectSumOverTriangles(NormalWeight::Angle,
+                           [](const Vec3& a, const Vec3& b) { return std::acos(a.normalized().dot(b.normalized())); });
 }
 
 TEST(VertexNormals, NothingComesFromTrianglesWithoutArea) {

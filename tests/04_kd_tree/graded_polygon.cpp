@@ -61,7 +61,8 @@ TEST(Triangulated, CoversPolygonsOnce) {
                 ASSERT_EQ(triangles.size(), corners.size() - 2);
                 Real sum = 0;
                 for (const auto& triangle : triangles) {
-                    ASSERT_GE(placement.areaOf(corners, triangle), -1e-12) << "polygon " << i << ": which corner is no ear?";
+                    ASSERT_GE(placement.areaOf(corners, triangle), -1e-12)
+                        << "polygon " << i << ": which corner is no ear?";
                     sum += std::abs(placement.areaOf(corners, triangle));
                 }
                 ASSERT_NEAR(sum, areas[i], 1e-12) << "polygon " << i << ": do triangles overlap?";
@@ -86,6 +87,10 @@ TEST(Triangulated, KeepsTheWayRoundAndEndsAlways) {
     }
     const Corners crossing = {Vec3(0, 0, 0), Vec3(2, 2, 0), Vec3(2, 0, 0), Vec3(0, 2, 0), Vec3(-1, 1, 0)};
     EXPECT_EQ(triangulated(crossing).size(), 3U);
+    // Once the larger loop is cut off, the smaller one, which runs the other way, has no ear.
+    const Corners eight = {Vec3(-6, 3, 0),  Vec3(-6, -3, 0),  Vec3(3, 1.5, 0),
+                           Vec3(4, 0.5, 0), Vec3(4, -0.5, 0), Vec3(3, -1.5, 0)};
+    EXPECT_EQ(triangulated(eight).size(), 4U) << "What is cut off where no corner is an ear?";
     const Corners point(6, Vec3::Ones());
     EXPECT_EQ(triangulated(point).size(), 4U) << "A polygon without area must not stop the reader.";
 }
