@@ -2,8 +2,11 @@
 
 #include <algorithm>
 
+#include "core/random.h"
 #include "expect_nothing_missed.h"
 #include "revolution_cases.h"
+#include "support/in_cube.h"
+#include "surface/patch_roots.h"
 #include "surface/revolved_segment.h"
 
 namespace caustic {
@@ -75,6 +78,33 @@ TEST_P(AdversarialPatch, LosesNothing) {
 }
 
 INSTANTIATE_TEST_SUITE_P(EverySetButTangents, AdversarialPatch, testing::Values(1, 2, 3, 4, 5, 7, 8, 9, 10, 11));
+
+// A ray at the very edge that two patches share meets one of them: what is left must allow for rounding.
+TEST(PatchRoots, SharedEdgesLetNothingThrough) {
+    for (std::uint64_t k = 0; k < 40; ++k) {
+        Random random(4, {k});
+        std::vector<Vec3> points;
+        for (int i = 0; i <= 3; ++i) {
+            for (int j = 0; j <= 6; ++j) points.push_back(Vec3(i / 3.0, j / 3.0, 0) + 0.08 * test::inCube(random));
+        }
+        std::vector<Vec3> left;
+        std::vector<Vec3> right;
+        for (std::size_t i = 0; i <= 3; ++i) {
+            for (std::size_t j = 0; j <= 3; ++j) {
+                left.push_back(points[7 * i + j]);
+                right.push_back(points[7 * i + 6 - j]);
+            }
+        }
+        const BezierPatch a(3, 3, left);
+        const BezierPatch b(3, 3, right);
+        for (int i = 0; i < 250; ++i) {
+            const Vec3 at = a.evaluate(random.uniform(0.02, 0.98), 1).point;
+            const Vec3 from = at + Vec3(0, 0, random.below(2) == 0 ? 2 : -2) + 0.4 * test::inCube(random);
+            const ShearedRay ray({from, at - from});
+            ASSERT_GE(patchRoots(a, ray).size() + patchRoots(b, ray).size(), 1U) << "Patch " << k << ", ray " << i;
+        }
+    }
+}
 
 }  // namespace
 }  // namespace caustic
