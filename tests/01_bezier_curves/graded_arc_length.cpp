@@ -51,24 +51,14 @@ TEST(ChordLength, IsThePolygonsThroughEvenlySpacedParameters) {
     }
 }
 
-// z = x², a parabola's closed form: (2 sqrt(5) + asinh 2) / 4.
-TEST(GaussLength, MatchesTheParabolasClosedForm) {
-    const BezierCurve parabola({Vec3(0, 0, 0), Vec3(0.5, 0, 0), Vec3(1, 0, 1)});
-    EXPECT_NEAR(gaussLength(parabola, 1e-10).length, test::parabolaLength(1), 1e-10)
-        << "Is the sum scaled by half the interval's width, and the speed the norm of all three coordinates?";
-}
-
-// The speed |B'| has a kink at the cusp. No rule on the whole interval gets over it.
-TEST(GaussLength, ReachesTheToleranceAtACusp) {
+// What the error is for: it holds the truth even when the tolerance is generous.
+TEST(GaussLength, ReachesTheToleranceAndBoundsItsError) {
+    // The speed |B'| has a kink at the cusp. No rule on the whole interval gets over it.
     for (const Real cusp : {0.11, 0.3, 0.77}) {
         const Real length = gaussLength(test::semicubicalParabola(cusp), 1e-9).length;
         EXPECT_NEAR(length, test::semicubicalParabolaLength(cusp, 1), 1e-9)
             << "cusp at " << cusp << ": are the pieces halved until the error is small enough?";
     }
-}
-
-// What the error is for: it holds the truth even when the tolerance is generous.
-TEST(GaussLength, ErrorBoundsTheTrueError) {
     constexpr Real tolerance = 0.05;
     for (const Real cusp : {0.11, 0.23, 0.3, 0.45, 0.77}) {
         const LengthEstimate estimate = gaussLength(test::semicubicalParabola(cusp), tolerance);
@@ -89,8 +79,12 @@ TEST(GaussLength, ErrorBoundsTheTrueError) {
     }
 }
 
-// Between two parameters: the ratio of the closed form's differences. What is no range is refused.
-TEST(GaussLength, MeasuresAPartOfTheCurve) {
+// z = x², a parabola's closed form: (2 sqrt(5) + asinh 2) / 4. Between two parameters: the ratio of its differences.
+// What is no range is refused.
+TEST(GaussLength, MeasuresTheParabolaAndAPartOfIt) {
+    const BezierCurve parabola({Vec3(0, 0, 0), Vec3(0.5, 0, 0), Vec3(1, 0, 1)});
+    EXPECT_NEAR(gaussLength(parabola, 1e-10).length, test::parabolaLength(1), 1e-10)
+        << "Is the sum scaled by half the interval's width, and the speed the norm of all three coordinates?";
     for (const Real middle : {0.1, 0.5, 0.6}) {
         const Real first = gaussLength(test::parabola(), 1e-9, 0, middle).length;
         const Real second = gaussLength(test::parabola(), 1e-9, middle, 1).length;

@@ -24,6 +24,11 @@ TEST(SampledBounds, FindsMinimumAndMaximumBetweenSamples) {
         << "Is there a search for the minimum too, in every bracket where the samples turn?";
     EXPECT_LT((box.max() - Vec3(peak, 1 + peak, 5 + 2 * peak)).norm(), 1e-9)
         << "Which third goes when the left one of the two inner points is higher?";
+    // y = -(t - 3/8)²: the samples at 1/4 and 1/2 are equal, to the last bit, and the maximum, 0, lies between them.
+    const BezierCurve curve({Vec3(0, -9.0 / 64, 0), Vec3(1, 15.0 / 64, 0), Vec3(2, -25.0 / 64, 0)});
+    EXPECT_NEAR(sampledBounds(curve, 5).max().y(), 0, 1e-12) << "Does a bracket need < on both sides?";
+    const BezierCurve below({Vec3(0, 9.0 / 64, 0), Vec3(1, -15.0 / 64, 0), Vec3(2, 25.0 / 64, 0)});
+    EXPECT_NEAR(sampledBounds(below, 5).min().y(), 0, 1e-12) << "And a valley?";
 }
 
 // A monotone coordinate is extreme at the ends, where no sample turns.
@@ -41,14 +46,6 @@ TEST(SampledBounds, TakesInTheEndPoints) {
         const BezierCurve hump({Vec3(0, -3 * side, 0), Vec3(0, 0.5, 0), Vec3(0, -3 * (1 - side), 0)});
         EXPECT_NEAR(sampledBounds(hump, 5).max().y(), 1.0 / 16, 1e-12) << "What lies beside the sample at an end?";
     }
-}
-
-// y = -(t - 3/8)²: the samples at 1/4 and 1/2 are equal, to the last bit, and the maximum, 0, lies between them.
-TEST(SampledBounds, FindsAPeakBetweenEqualSamples) {
-    const BezierCurve curve({Vec3(0, -9.0 / 64, 0), Vec3(1, 15.0 / 64, 0), Vec3(2, -25.0 / 64, 0)});
-    EXPECT_NEAR(sampledBounds(curve, 5).max().y(), 0, 1e-12) << "Does a bracket need < on both sides?";
-    const BezierCurve below({Vec3(0, 9.0 / 64, 0), Vec3(1, -15.0 / 64, 0), Vec3(2, 25.0 / 64, 0)});
-    EXPECT_NEAR(sampledBounds(below, 5).min().y(), 0, 1e-12) << "And a valley?";
 }
 
 // Two maxima as close as 0.003, anywhere: some pairs fall between the samples of whatever grid. A hundred millionth of
