@@ -11,18 +11,19 @@
 
 namespace caustic::test {
 
+/// A ray and a triangle, and what is known of them by construction.
 struct TriangleCase {
-    Vec3 a, b, c;
-    Ray ray;
-    bool hits;  // by construction
-    Real b1, b2;
-    Real t;
+    Vec3 a, b, c;  ///< counterclockwise for who looks along the ray
+    Ray ray;       ///< towards a point of the triangle's plane
+    bool hits;     ///< whether that point is in the triangle
+    Real b1, b2;   ///< its barycentric coordinates of b and c
+    Real t;        ///< where the ray reaches it
 };
 
-// Triangles of every size, and rays along every axis, either way, with directions of any length.
+//// Triangles of every size, and rays along every axis, either way, with directions of any length.
 inline constexpr std::array<Real, 4> sizes = {1, 1e-6, 1e6, 1e-3};
 
-// A ray aimed at a chosen point of the triangle's plane, from the side that sees a, b, c counterclockwise.
+/// A ray aimed at a chosen point of the triangle's plane, from the side that sees a, b, c counterclockwise.
 inline TriangleCase frontCase(std::uint64_t i) {
     Random random(1, {i});
     const Real size = sizes[i % sizes.size()];
@@ -49,7 +50,7 @@ inline TriangleCase frontCase(std::uint64_t i) {
     return one;
 }
 
-// A triangle behind the ray's origin is met only by a ray that begins even farther behind.
+/// A triangle behind the ray's origin is met only by a ray that begins even farther behind.
 template <typename Intersect>
 void expectSignOfT(const Intersect& intersect) {
     for (std::uint64_t i = 0; i < 1000; ++i) {
