@@ -28,7 +28,7 @@ plot for [i=1:3] file using (is(formulas[i]) ? $3 : NaN):5 with points lt i ps 1
 set title "rough gold, cosine 0.3: 4, 16, 64, 256, 1024 samples" font ",16"
 set xlabel "time, µs per estimate"
 set xtics auto
-set xrange [0.1:100]
+set xrange [*:*]
 set yrange [1e-3:100]
 set key at graph 0.97,0.97 right top Left reverse samplen 4
 array samplers[3] = ["visible normals", "all normals", "cosine"]
