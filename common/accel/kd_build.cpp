@@ -237,7 +237,7 @@ void sweepPlanes(std::span<const KdEvent<Scalar>> events, const KdBox<Scalar>& b
         if (at > box.min()[axis] && at < box.max()[axis]) {
             const std::uint32_t flat = here[Event::Flat];
             const Real flatBelow = splitCost(box, axis, at, below + flat, above, rule);
-            const Real flatAbove = splitCost(box, axis, at, below, above + flat, rule);
+            const Real flatAbove = flat == 0 ? flatBelow : splitCost(box, axis, at, below, above + flat, rule);
             const Real cost = std::min(flatBelow, flatAbove);
             if (cost < best.cost) best = {at, axis, flatBelow <= flatAbove, cost};
         }
