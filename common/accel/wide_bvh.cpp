@@ -47,9 +47,13 @@ struct Range {
     }
 };
 
-// Cost of a range, up to a factor. Measured: counting whole blocks of eight fills them better (7.4 of 8 instead of
-// 6.0) and makes rays visit 20 % more nodes.
-float rangeCost(const Box& box, std::uint32_t count) { return box.halfArea() * static_cast<float>(count + 2); }
+// Cost of a range, up to a factor: its blocks of eight, and a little for each item, without which the planes between
+// two counts of blocks would all cost the same. Measured beside the count of items alone: blocks are filled with 7.5
+// instead of 6.0, which makes 8 % more rays on the dragon, whose blocks no cache holds.
+float rangeCost(const Box& box, std::uint32_t count) {
+    const std::uint32_t blocks = (count + WideBvh::width - 1) / WideBvh::width;
+    return box.halfArea() * (2 + 8 * static_cast<float>(blocks) + 0.1F * static_cast<float>(count));
+}
 
 }  // namespace
 
@@ -148,7 +152,9 @@ private:
     // Shortens `range` to its first part and returns the second.
     Range splitOff(Range& range, int depth) {
         if (depth >= deepestSplit) return halve(range);
-        // Few items don't need many bins, whose making takes longer than the items do.
+        // Few items don't need many bins, whose making takes longer than the items do. At the top they cost nothing,
+        // and 128 save 7 % of the nodes that a ray visits.
+        if (range.count() > 1024) return splitByBins<128>(range);
         return range.count() > 64 ? splitByBins<32>(range) : splitByBins<16>(range);
     }
 
