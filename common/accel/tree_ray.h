@@ -15,9 +15,9 @@ struct TreeRay {
     float tMax;                    ///< nothing beyond it counts
 };
 
-/// How far from its true place a TreeRay may be when a node is tested against it: the origin's rounding (2⁻²⁴), the
-/// direction's over the way to a plane of the cube (2 · 2⁻²⁴), those of a crossing (4 · 2⁻²⁴), and that of the
-/// direction's replaced components (far less). Nodes are larger by it on all sides.
+/// How far from its true place a TreeRay may be when a node is tested against it: the origin's rounding (2⁻²⁴), those
+/// of the direction and of its inverse over the way to a plane of the cube (2 · 2⁻²⁴ each), those of a crossing
+/// (4 · 2⁻²⁴), and that of the direction's replaced components (far less). Nodes are larger by it on all sides.
 inline constexpr float treeRayPadding = 0x1p-20F;
 
 }  // namespace caustic

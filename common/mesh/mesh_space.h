@@ -1,5 +1,11 @@
 #pragma once
 
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
 #include "accel/tree_ray.h"
 #include "math/bounds.h"
 #include "math/ray.h"
@@ -45,10 +51,61 @@ public:
 
 private:
     static constexpr Real roundedUp = 1 + 1e-6;
+    static constexpr Real farthest = 0x1p20;
+    // No way through the cube [-1, 1]³ is longer than 2√3, and directions are 1 long at least.
+    static constexpr Real longestWay = 4;
+
+    // The largest power of two that is not above x > 0. A mask, because std::ilogb and std::exp2 take longer than a
+    // node.
+    static Real powerOfTwoBelow(Real x) {
+        constexpr std::uint64_t exponentBits = 0x7ff0000000000000U;
+        return std::bit_cast<Real>(std::bit_cast<std::uint64_t>(x) & exponentBits);
+    }
+
+    // 1 / d; a component of the direction that is smaller than 1e-15 counts as that much.
+    template <typename Scalar>
+    static Scalar finiteInverse(Scalar d) {
+        constexpr auto tiniest = static_cast<Scalar>(1e-15);
+        return 1 / (std::abs(d) < tiniest ? std::copysign(tiniest, d) : d);
+    }
 
     Real length_;  // t of the tree's ray for one of the given ray
     Real start_;   // where the tree's ray starts
     bool tooFar_;
 };
+
+// In the header, so that what it computes stays in registers: 5 % more rays.
+inline MeshRay::MeshRay(const MeshSpace& space, const Ray& ray) {
+    const Vec3 origin = space.toTree(ray.origin);
+    tooFar_ = !(origin.cwiseAbs().maxCoeff() < farthest);
+
+    // A power of two that makes the largest component one between 1 and 2 does not round, unlike the length.
+    const Vec3 scaled = ray.direction * space.scale_;
+    length_ = powerOfTwoBelow(scaled.cwiseAbs().maxCoeff());
+    const Vec3 direction = scaled * (1 / length_);
+    for (unsigned axis = 0; axis < 3; ++axis) {
+        tree.inverse[axis] = finiteInverse(static_cast<float>(direction[static_cast<int>(axis)]));
+    }
+
+    start_ = ray.tMin * length_;
+    Real end = start_ + longestWay;
+    Vec3 from = origin;
+    if (start_ != 0 || !space.box_.contains(origin)) {
+        end = std::numeric_limits<Real>::infinity();
+        for (int axis = 0; axis < 3; ++axis) {
+            const Real inverse = finiteInverse(direction[axis]);
+            const Real lower = (space.box_.min()[axis] - origin[axis]) * inverse;
+            const Real upper = (space.box_.max()[axis] - origin[axis]) * inverse;
+            start_ = std::max(start_, std::min(lower, upper));
+            end = std::min(end, std::max(lower, upper));
+        }
+        from += start_ * direction;
+    }
+    const Real most = std::min(std::min(ray.tMax * length_, end) - start_, longestWay);
+    for (unsigned axis = 0; axis < 3; ++axis) {
+        tree.origin[axis] = static_cast<float>(from[static_cast<int>(axis)]);
+    }
+    tree.tMax = static_cast<float>(most * roundedUp);
+}
 
 }  // namespace caustic
