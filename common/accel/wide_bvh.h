@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "accel/float8.h"
@@ -22,7 +23,7 @@ struct BuildBox {
 /// Bounding volume hierarchy with eight children a node, tested at once: the modern rival of the KD-tree. It sorts
 /// items instead of cutting space, so each item is in one leaf; in return the boxes of neighbours overlap.
 ///
-/// Built by the surface area heuristic over 16 or 32 bins (Wald 2007): a node's widest child is split until there are
+/// Built by the surface area heuristic over 16 to 128 bins (Wald 2007): a node's widest child is split until there are
 /// eight (Wald, Benthin, Boulos 2008). A leaf is one block of at most eight items. All coordinates are in [-1, 1] (see
 /// TreeRay).
 class WideBvh {
@@ -33,8 +34,8 @@ public:
     /// @param boxes  one for each item; at least one
     explicit WideBvh(std::vector<BuildBox> boxes);
 
-    /// The items of all blocks, eight for each.
-    const std::vector<std::uint32_t>& blockItems() const { return blockItems_; }
+    /// The items of all blocks, eight for each, which the tree itself has no use for: they are gone afterwards.
+    std::vector<std::uint32_t> takeBlockItems() { return std::move(blockItems_); }
 
     /// Calls visit(block) for the blocks that the ray may meet. `visit` shortens ray.tMax when it finds a hit, and
     /// returns whether to stop.

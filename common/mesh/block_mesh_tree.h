@@ -13,11 +13,13 @@ namespace caustic {
 
 /// A tree in float over blocks of eight triangles, of either kind.
 ///
-/// The tree only says where to look, with margins for its rounding. The blocks hold what the watertight test needs, in
-/// `Real`, so a hit is final as soon as it is found, and nothing of the mesh is fetched for it. Measured: blocks in
-/// float that nominate candidates are half as large, but then each ray waits for the corners of one to four triangles
-/// that lie elsewhere, and answers take 1.4 times as long.
-template <typename Tree>
+/// The tree only says where to look, with margins for its rounding. The blocks hold what the watertight test needs, so
+/// a hit is final as soon as it is found, and nothing of the mesh is fetched for it. What was tried instead, and what
+/// it cost, is in docs/rays.md.
+/// @tparam Stored  float for a mesh all of whose coordinates are floats, as in most files: blocks are half as large
+/// then,
+///                 and as exact; Real for others
+template <typename Tree, typename Stored>
 class BlockMeshTree final : public MeshTree {
 public:
     /// @param mesh  as checkMesh wants it, with a triangle that has an area
@@ -30,6 +32,8 @@ public:
     MeshTreeSize size() const override;
 
 private:
+    BlockMeshTree(std::shared_ptr<const MeshData> mesh, const std::vector<std::uint32_t>& triangles);
+
     template <bool any, bool counted>
     std::optional<MeshHit> search(const Ray& ray, MeshWork* work) const;
 
@@ -38,12 +42,14 @@ private:
 
     std::shared_ptr<const MeshData> mesh_;
     MeshSpace space_;
-    std::vector<std::uint32_t> triangles_;
     Tree tree_;
-    std::vector<TriangleBlock> blocks_;
+    std::vector<TriangleBlock<Stored>> blocks_;
+    std::size_t references_ = 0;
 };
 
-extern template class BlockMeshTree<CompactKdTree>;
-extern template class BlockMeshTree<WideBvh>;
+extern template class BlockMeshTree<CompactKdTree, float>;
+extern template class BlockMeshTree<CompactKdTree, Real>;
+extern template class BlockMeshTree<WideBvh, float>;
+extern template class BlockMeshTree<WideBvh, Real>;
 
 }  // namespace caustic

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "accel/wide_real.h"
@@ -11,11 +12,15 @@
 
 namespace caustic {
 
-/// Eight triangles whose corners lie side by side, in full precision.
+/// Eight triangles whose corners lie side by side.
+/// @tparam Stored  Real, or float for a mesh whose coordinates all are floats: half as large, and exact as well
+template <typename Stored>
 struct alignas(64) TriangleBlock {
+    using Lanes = std::conditional_t<std::is_same_v<Stored, float>, WideFloat, WideReal>;
+
     /// As many triangles as one instruction works on: corner by corner, axis by axis. NaN where there is no triangle.
     struct Part {
-        std::array<std::array<WideReal, 3>, 3> corners;
+        std::array<std::array<Lanes, 3>, 3> corners;
     };
 
     std::array<Part, 8 / wideRealLanes> parts;  ///< the eight, in as many parts as the processor needs
@@ -25,8 +30,9 @@ struct alignas(64) TriangleBlock {
 /// Makes blocks of the triangles that a tree put together.
 /// @param items  eight for each block; beyond `triangles` where there are less
 /// @param triangles  the mesh's number for each item
-std::vector<TriangleBlock> makeTriangleBlocks(const MeshData& mesh, std::span<const std::uint32_t> items,
-                                              std::span<const std::uint32_t> triangles);
+template <typename Stored>
+std::vector<TriangleBlock<Stored>> makeTriangleBlocks(const MeshData& mesh, std::span<const std::uint32_t> items,
+                                                      std::span<const std::uint32_t> triangles);
 
 /// A ShearedRay in all lanes.
 struct WideShearedRay {
@@ -62,18 +68,19 @@ inline WideShearedRay::WideShearedRay(const ShearedRay& ray) : tMin(inAllLanes(r
 /// intersectWatertight of chapter 02 for many triangles at once. It does the same operations in the same order, so it
 /// finds the same numbers. What is done there when these don't settle the matter isn't done here: such triangles are
 /// named instead.
-inline WideHits intersectWatertight(const TriangleBlock::Part& part, const WideShearedRay& ray, Real tMax) {
+template <typename Part>
+[[gnu::always_inline]] inline WideHits intersectWatertight(const Part& part, const WideShearedRay& ray, Real tMax) {
     const auto [i, j, k] = ray.axis;
     const auto& [a, b, c] = part.corners;
-    const WideReal az = a[k] - ray.origin[2];
-    const WideReal bz = b[k] - ray.origin[2];
-    const WideReal cz = c[k] - ray.origin[2];
-    const WideReal ax = a[i] - ray.origin[0] - ray.shear[0] * az;
-    const WideReal ay = a[j] - ray.origin[1] - ray.shear[1] * az;
-    const WideReal bx = b[i] - ray.origin[0] - ray.shear[0] * bz;
-    const WideReal by = b[j] - ray.origin[1] - ray.shear[1] * bz;
-    const WideReal cx = c[i] - ray.origin[0] - ray.shear[0] * cz;
-    const WideReal cy = c[j] - ray.origin[1] - ray.shear[1] * cz;
+    const WideReal az = widened(a[k]) - ray.origin[2];
+    const WideReal bz = widened(b[k]) - ray.origin[2];
+    const WideReal cz = widened(c[k]) - ray.origin[2];
+    const WideReal ax = widened(a[i]) - ray.origin[0] - ray.shear[0] * az;
+    const WideReal ay = widened(a[j]) - ray.origin[1] - ray.shear[1] * az;
+    const WideReal bx = widened(b[i]) - ray.origin[0] - ray.shear[0] * bz;
+    const WideReal by = widened(b[j]) - ray.origin[1] - ray.shear[1] * bz;
+    const WideReal cx = widened(c[i]) - ray.origin[0] - ray.shear[0] * cz;
+    const WideReal cy = widened(c[j]) - ray.origin[1] - ray.shear[1] * cz;
 
     const WideReal u = cx * by - cy * bx;
     const WideReal v = ax * cy - ay * cx;

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -103,6 +105,53 @@ TEST(MeshTrees, AgreeAtEveryScaleAndFarFromTheOrigin) {
     }
 }
 
+// The mesh with its coordinates cut off to floats, each times a power of two.
+MeshData inFloats(MeshData mesh, Real scale) {
+    constexpr std::uint64_t whatFloatsHold = ~std::uint64_t{0x1fffffff};
+    for (Vec3& position : mesh.positions) {
+        for (Real& x : position) x = scale * std::bit_cast<Real>(std::bit_cast<std::uint64_t>(x) & whatFloatsHold);
+    }
+    return mesh;
+}
+
+// Trees keep floats where all coordinates are floats, which halves their blocks; one digit more anywhere, or a float
+// out of its range, and they keep Reals. Either way the answer is that of brute force, to the last bit.
+TEST(MeshTrees, KeepFloatsOnlyWhereNothingIsLost) {
+    struct Case {
+        Real scale;
+        bool floats;
+    };
+    for (const auto& [scale, floats] :
+         {Case{1, true}, {0x1p-100, true}, {0x1p100, true}, {0x1p-140, false}, {0x1p140, false}}) {
+        for (const bool oneDigitMore : {false, true}) {
+            Random maker(5, {0});
+            MeshData rounded = inFloats(meshSets()[0].make(maker, 400), scale);
+            Real& last = rounded.positions.back().y();
+            if (oneDigitMore) last = std::nextafter(last, Real{1});
+            const auto mesh = std::make_shared<const MeshData>(std::move(rounded));
+            const Bounds3 box = boundsOf(*mesh);
+            const auto brute = plantMeshTree(MeshTreeKind::BruteForce, mesh);
+            for (const MeshTreeKind kind : {MeshTreeKind::WideKdTree, MeshTreeKind::WideBvh}) {
+                const auto tree = plantMeshTree(kind, mesh);
+                const MeshTreeSize size = tree->size();
+                const Real bytes = static_cast<Real>(size.bytes) / static_cast<Real>(size.references);
+                EXPECT_EQ(bytes < 75, floats && !oneDigitMore)
+                    << name(kind) << ", scale " << scale << ": " << bytes << " bytes a reference";
+                for (std::uint64_t i = 0; i < 2000; ++i) {
+                    Random random(13, {i});
+                    const Ray ray = randomRayAt(*mesh, box, random);
+                    const auto truth = brute->intersect(ray);
+                    const auto found = tree->intersect(ray);
+                    ASSERT_TRUE(agree(found, truth)) << name(kind) << ", scale " << scale << ", ray " << i;
+                    if (found) {
+                        ASSERT_EQ(found->t, truth->t) << name(kind) << ", scale " << scale << ", ray " << i;
+                    }
+                }
+            }
+        }
+    }
+}
+
 // From a million sizes away, and farther than where floats can tell where a ray enters.
 TEST(MeshTrees, AgreeForRaysFromVeryFar) {
     const auto mesh = std::make_shared<const MeshData>(bumpySphere(500));
@@ -126,7 +175,7 @@ TEST(MeshTrees, AgreeForRaysFromVeryFar) {
 
 // On a mesh that somebody scanned; brute force is slow, so few rays.
 TEST(MeshTrees, AgreeWithBruteForceOnTheBunny) {
-    const auto mesh = std::make_shared<const MeshData>(loadMesh(test::sourceDir() / "assets/meshes/bunny.obj"));
+    const auto mesh = std::make_shared<const MeshData>(loadMesh(test::sourceDir() / "assets/meshes/bunny.ply"));
     const Bounds3 box = boundsOf(*mesh);
     const auto brute = plantMeshTree(MeshTreeKind::BruteForce, mesh);
     std::vector<std::unique_ptr<const MeshTree>> trees;
