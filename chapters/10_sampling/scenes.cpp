@@ -101,7 +101,7 @@ Scene Study::scene(const std::string& file, int width) const {
 
 const std::vector<Study>& studies() {
     static const std::vector<Study> all = {
-        {"bunny", "bunny of glass", {1.7, 4}, 1, "assets/meshes/bunny.obj", glassBunny, rayTracer},
+        {"bunny", "bunny of glass", {1.7, 4}, 1, "assets/meshes/bunny.ply", glassBunny, rayTracer},
         {"box",
          "the peers' box",
          {1, 4},

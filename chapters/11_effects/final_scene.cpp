@@ -86,7 +86,7 @@ void addTeapot(SceneDescription& scene, bool normals, const FindAsset& asset) {
 
 void addBunny(SceneDescription& scene, const FindAsset& asset) {
     const auto bunny = std::make_shared<TriangleMesh>(
-        withVertexNormals(loadMesh(asset("assets/meshes/bunny.obj")), NormalWeight::Angle));
+        withVertexNormals(loadMesh(asset("assets/meshes/bunny.ply")), NormalWeight::Angle));
     constexpr Real scale = 0.068;
     const Transform place = Transform::translation({0.15, clearance - scale * bunny->bounds().min().y(), 0.1}) *
                             Transform::rotation(Vec3::UnitY(), -0.35) * Transform::scaling(Vec3::Constant(scale));

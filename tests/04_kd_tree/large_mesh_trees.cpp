@@ -63,7 +63,7 @@ TEST(LargeMeshTrees, AgreeWithBruteForceOnEverySet) {
 
 // A scanned mesh: a hundred thousand rays by brute force, ten million by all trees against each other.
 TEST(LargeMeshTrees, AgreeOnTheBunny) {
-    const auto mesh = std::make_shared<const MeshData>(loadMesh(test::sourceDir() / "assets/meshes/bunny.obj"));
+    const auto mesh = std::make_shared<const MeshData>(loadMesh(test::sourceDir() / "assets/meshes/bunny.ply"));
     const auto trees = treesOver(mesh);
     const auto brute = plantMeshTree(MeshTreeKind::BruteForce, mesh);
     EXPECT_EQ(differences(*mesh, *brute, trees, 31, 100'000), 0);

@@ -16,7 +16,7 @@ void drawBunnies(FigureContext& context) {
     constexpr int gap = 14;
     constexpr int top = 64;
     constexpr int left = 130;
-    const std::array<std::string, 2> files = {"assets/meshes/bunny_low.obj", "assets/meshes/bunny.obj"};
+    const std::array<std::string, 2> files = {"assets/meshes/bunny_low.obj", "assets/meshes/bunny.ply"};
     Drawing drawing(left + 2 * (tile + gap), top + 2 * (tile + gap));
     context.progress().expect(4);
     for (int column = 0; column < 2; ++column) {

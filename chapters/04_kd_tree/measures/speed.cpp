@@ -60,7 +60,7 @@ double buildMilliseconds(MeshTreeKind kind, const std::shared_ptr<const MeshData
 }  // namespace
 
 void chartSpeed(FigureContext& context) {
-    const auto data = std::make_shared<const MeshData>(loadMesh(context.asset("assets/meshes/bunny.obj")));
+    const auto data = std::make_shared<const MeshData>(loadMesh(context.asset("assets/meshes/bunny.ply")));
     const TriangleMesh mesh(*data);
     const auto sets = raySets(mesh, context.byQuality(64, 256), context.seed());
     context.progress().expect(static_cast<std::int64_t>(std::size(allMeshTrees)));

@@ -7,7 +7,7 @@
 namespace caustic {
 
 void drawBeerLambert(FigureContext& context) {
-    const auto bunny = loadShape(context.asset("assets/meshes/bunny.obj"));
+    const auto bunny = loadShape(context.asset("assets/meshes/bunny.ply"));
     const auto tile = [&](const std::string& caption, const Color& perUnit) {
         return Tile{
             caption, [&context, bunny, perUnit](int width, int height) {

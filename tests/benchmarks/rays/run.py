@@ -66,7 +66,7 @@ def main():
     dragon = meshes / "dragon.ply" if chosen.kept else full_dragon()
     cmake.build("native", targets=["bench_rays"])
     program = build_dir("native") / "bin" / "bench_rays"
-    command = [program, TABLE, str(chosen.side), str(chosen.rounds), "bunny", meshes / "bunny.obj", "dragon", dragon]
+    command = [program, TABLE, str(chosen.side), str(chosen.rounds), "bunny", meshes / "bunny.ply", "dragon", dragon]
     finished = subprocess.run(command)
     if finished.returncode != 0:
         raise CourseError("bench_rays stopped; its own message stands above")
