@@ -5,8 +5,10 @@ import io
 import tempfile
 import unittest
 from pathlib import Path
+from unittest import mock
 
 from course_lib import coverage
+from course_lib.chapters import all_chapters
 from course_lib.errors import CourseError
 
 SOURCE = """\
@@ -40,6 +42,34 @@ class ErrorPaths(unittest.TestCase):
     def test_functions_that_never_return_are_known(self):
         sources = ["[[noreturn]] void refuse(const char* text, char c);", "namespace x {\n[[noreturn]] static void end(\n"]
         self.assertEqual(coverage.no_return_functions(sources), {"refuse", "end"})
+
+
+class Commands(unittest.TestCase):
+    def test_a_pattern_stands_for_each_file_and_only_others_files_may_be_refused(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for name in ("a.txt", "b.txt", "c.svg"):
+                (Path(folder) / name).touch()
+            given = {"01_x": (("--inspect", "*.txt"), ("--draw", 7, *coverage.TO_OUT), ("--inspect", f"{folder}/*.svg"))}
+            with mock.patch.object(coverage, "COMMANDS", given):
+                commands = list(coverage.commands("01_x", "there", Path(folder)))
+        self.assertEqual(commands, [(["--inspect", f"{folder}/a.txt"], False), (["--inspect", f"{folder}/b.txt"], False),
+                                    (["--draw", "7", "--out", "there", "--threads", "1"], False),
+                                    (["--inspect", f"{folder}/c.svg"], True)])
+
+    def test_every_chapter_that_is_given_commands_stands(self):
+        self.assertLessEqual(set(coverage.COMMANDS), set(all_chapters()))
+
+
+class OldCounters(unittest.TestCase):
+    def test_counts_and_the_notes_of_objects_that_are_built_no_more_go_away(self):
+        with tempfile.TemporaryDirectory() as folder:
+            build = Path(folder)
+            (build / "build.ninja").write_text("build x/new.cpp.o: compile new.cpp\n")
+            (build / "x").mkdir()
+            for name in ("new.cpp.gcno", "new.cpp.gcda", "old.cpp.gcno", "old.cpp.gcda", "new.cpp.o"):
+                (build / "x" / name).touch()
+            coverage.forget_old_counters(build)
+            self.assertEqual(sorted(path.name for path in (build / "x").iterdir()), ["new.cpp.gcno", "new.cpp.o"])
 
 
 class Verdict(unittest.TestCase):

@@ -1,5 +1,5 @@
 """Line coverage of the shared library by the chapters' executables alone: what they never run has no place in common/.
-Run are the drafts of all figures, and the commands that inspect files.
+Run are the drafts of all figures, and the commands that the lessons name.
 
 Error paths are left out, for good input never gets there. A line belongs to one when it is part of
 - a statement that throws, or that calls a function declared [[noreturn]],
@@ -12,7 +12,6 @@ import glob
 import json
 import re
 import shutil
-import subprocess
 
 from course_lib import cmake
 from course_lib.chapters import all_chapters
@@ -20,13 +19,34 @@ from course_lib.cpp_source import COMMENT_OR_TEXT
 from course_lib.errors import CourseError
 from course_lib.paths import ROOT, build_dir, cores, program
 from course_lib.process import output_of, run
-from course_lib.terminal import Step, say
+from course_lib.terminal import Step, say, table
 
 LEAST = 95.0  # per cent of the lines of common/, error paths aside
 PRESET = "coverage"
-# What chapters inspect besides drawing, by their --inspect: our files and real ones of the test packages.
-INSPECTED = {"01_bezier_curves": ("assets/profiles/*", "/usr/share/icons/Adwaita/**/*.svg"), "04_kd_tree": ("assets/meshes/*",)}
-MOST_INSPECTED = 100  # files for each pattern, spread evenly
+# What chapters are asked for besides figures: the commands of the lessons, the shorter the better. OUT is a folder that they may
+# write to; a word with a * stands for each such file, ours and real ones of the test packages.
+OUT = "<out>"
+TO_OUT = ("--out", OUT, "--threads", 1)
+COMMANDS = {
+    "01_bezier_curves": (("--inspect", "assets/profiles/*"), ("--inspect", "/usr/share/icons/Adwaita/**/*.svg"),
+                         ("--list",), ("--only", "de_casteljau", "--quality", "report", *TO_OUT)),
+    "02_intersections": (("--leaks", 1000),),
+    "03_bezier_surfaces": (("--profile", "assets/profiles/candlestick.svg#flame", *TO_OUT),
+                           ("--profile", "assets/profiles/candlestick.svg#1", *TO_OUT), ("--roots", 1000), ("--lathe", 64)),
+    "04_kd_tree": tuple(("--inspect", files) for files in (
+        "assets/meshes/*", "/usr/share/assimp/models/OBJ/*.obj", "/usr/share/assimp/models/PLY/*.ply",
+        "/usr/share/assimp/models/STL/*.stl", "/usr/share/assimp/models/glTF2/**/*.gl*")),
+    "05_ray_tracing": (("--mesh", "assets/meshes/bunny_low.obj", *TO_OUT),),
+    "07_path_tracing": (("--time", 0.1, "--scene", "caustic", *TO_OUT),),
+    "09_sppm": (*2 * (("--render", "thumbnail", "--rule", "point", "--passes", 2, "--photons", 1000,
+                       "--checkpoint", f"{OUT}/glass.state", *TO_OUT),),
+                ("--errors", "peers_box", "--time", 8, "--out", OUT)),
+    "10_sampling": tuple(("--render", "box", "--sampler", sampler, "--rule", rule, "--paths", 16, "--width", 32, *TO_OUT)
+                         for sampler, rule in (("halton", "uniform"), ("sobol", "interval"))),
+    "11_effects": (*2 * (("--final", 64, "--passes", 2, "--photons", 1000, "--checkpoint", f"{OUT}/final.state", *TO_OUT),),
+                   ("--scene", "assets/scenes/*", *TO_OUT)),
+}
+MOST_FILES = 100  # for each pattern, spread evenly
 
 NO_RETURN = re.compile(r"\[\[noreturn\]\][^;{(]*?\b(\w+)\s*\(")
 BRANCH_HEAD = re.compile(r"(\bif\b[^;{}]*|\belse\s*|\bcase\b[^;{}]*:\s*)$")
@@ -87,11 +107,15 @@ def measured_lines(report, root=ROOT):
 
 
 def chapter_coverage():
-    """Builds the chapters with counters, draws drafts, and reads the counters. Returns a note with the share."""
+    """Measures, and judges. Returns a note with the share."""
+    return verdict(measure())
+
+
+def measure():
+    """Builds the chapters with counters, draws drafts, and reads the counters: (file, line, count) of each line of common/."""
     chapters = all_chapters()
     cmake.build(PRESET, chapters, title="build the chapters with counters")
-    for counters in build_dir(PRESET).rglob("*.gcda"):
-        counters.unlink()
+    forget_old_counters(build_dir(PRESET))
     out = build_dir(PRESET) / "figures"
     shutil.rmtree(out, ignore_errors=True)
     with Step("draw the chapters") as step, concurrent.futures.ThreadPoolExecutor(cores()) as pool:
@@ -99,23 +123,38 @@ def chapter_coverage():
         for done, finished in enumerate(concurrent.futures.as_completed(drawn), start=1):
             finished.result()
             step.progress(done, len(chapters))
-    return verdict(list(measured_lines(gcovr_report())))
+    return list(measured_lines(gcovr_report()))
+
+
+def forget_old_counters(build):
+    """Removes what earlier runs counted, and the notes of objects that are built no more."""
+    ninja = (build / "build.ninja").read_text()
+    for counters in build.rglob("*.gcda"):
+        counters.unlink()
+    for notes in build.rglob("*.gcno"):
+        if str(notes.relative_to(build).with_suffix(".o")) not in ninja:
+            notes.unlink()
 
 
 def draw(chapter, out):
-    """Draws a chapter's drafts by one thread (several would fight for the counters) and inspects files."""
+    """Draws a chapter's drafts by one thread (several would fight for the counters) and gives its commands."""
     output_of([program(chapter, PRESET), "--out", out, "--threads", 1])
-    for path in inspected(chapter):
-        # Files that are refused count too: their error paths are left out anyway.
-        subprocess.run([program(chapter, PRESET), "--inspect", path], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
-                       stderr=subprocess.DEVNULL)
+    for words, may_refuse in commands(chapter, out):
+        try:
+            output_of([program(chapter, PRESET), *words])
+        except CourseError:
+            if not may_refuse:
+                raise
 
 
-def inspected(chapter, root=ROOT):
-    """The files that a chapter inspects."""
-    for pattern in INSPECTED.get(chapter, ()):
-        files = sorted(glob.glob(str(root / pattern), recursive=True))
-        yield from files[::1 + len(files) // MOST_INSPECTED]
+def commands(chapter, out, root=ROOT):
+    """(words, may refuse) of each command of a chapter besides its figures: others' files may be refused."""
+    for words in COMMANDS.get(chapter, ()):
+        words = [str(word).replace(OUT, str(out)) for word in words]
+        pattern = next((word for word in words if "*" in word), None)
+        files = sorted(glob.glob(str(root / pattern), recursive=True)) if pattern else [None]
+        for file in files[::1 + len(files) // MOST_FILES]:
+            yield [file if word == pattern else word for word in words], pattern is not None and pattern.startswith("/")
 
 
 def gcovr_report():
@@ -127,19 +166,33 @@ def gcovr_report():
     return json.loads(path.read_text())
 
 
-def verdict(lines):
-    """A note with the share of lines that ran. @throws CourseError when it is too low; names the lines that never ran"""
+def share(lines):
+    """Per cent of lines that ran. @throws CourseError when there are none"""
     if not lines:
         raise CourseError("gcovr counted no line of common/; was the coverage preset built from this tree?")
-    never = [(name, number) for name, number, times in lines if times == 0]
-    share = 100 * (len(lines) - len(never)) / len(lines)
-    by_file = {}
-    for name, number in never:
-        by_file.setdefault(name, []).append(str(number))
-    for name, numbers in sorted(by_file.items()):
+    return 100 * sum(1 for _, _, times in lines if times > 0) / len(lines)
+
+
+def by_topic(lines):
+    """(folder, its lines) of each folder."""
+    topics = {}
+    for line in lines:
+        topics.setdefault(line[0].rpartition("/")[0], []).append(line)
+    return sorted(topics.items())
+
+
+def verdict(lines):
+    """A note with the share of lines that ran. @throws CourseError when it is too low; names the lines that never ran"""
+    note = f"{share(lines):.1f} % of {len(lines)} lines"
+    never = {}
+    for name, number, times in lines:
+        if times == 0:
+            never.setdefault(name, []).append(str(number))
+    for name, numbers in sorted(never.items()):
         say(f"  no chapter runs {name}:{','.join(numbers)}")
-    note = f"{share:.1f} % of {len(lines)} lines"
-    if share < LEAST:
+    say(table([(topic, len(of_topic), f"{share(of_topic):.1f} %") for topic, of_topic in by_topic(lines)],
+              ["topic", "lines", "run"], right=(1, 2)))
+    if share(lines) < LEAST:
         raise CourseError(f"the chapters run {note} of common/, at least {LEAST:.0f} % are asked for; "
                           "remove what no chapter runs, or let one show it")
     return note
