@@ -32,8 +32,4 @@ HashGrid::HashGrid(std::span<const Vec3> points, Real cellSize)
     }
 }
 
-std::size_t HashGrid::memory() const {
-    return first_.size() * sizeof(first_[0]) + points_.size() * sizeof(points_[0]) + order_.size() * sizeof(order_[0]);
-}
-
 }  // namespace caustic

@@ -35,8 +35,6 @@ public:
     std::span<const std::uint32_t> order() const { return order_; }
     /// By place: where it is.
     const Vec3& point(std::size_t place) const { return points_[place]; }
-    /// Bytes that it takes.
-    std::size_t memory() const;
 
     /// Calls visit(const NearPoint&) for each point within a radius, the border included: once each, in an order that
     /// depends on the points and the query alone. Within a negative radius, and around what isn't finite, there is

@@ -42,14 +42,6 @@ Real studentT(Real z, std::int64_t degrees) {
 PixelEstimates::PixelEstimates(int width, int height)
     : width_(width), height_(height), pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
 
-Image PixelEstimates::picture() const {
-    Image picture(width_, height_);
-    for (int y = 0; y < height_; ++y) {
-        for (int x = 0; x < width_; ++x) picture.set(x, y, pixels_[static_cast<std::size_t>(y * width_ + x)].mean);
-    }
-    return picture;
-}
-
 Real PixelEstimates::brightness() const {
     Real sum = 0;
     for (const PixelEstimate& pixel : pixels_) sum += pixel.mean.mean();

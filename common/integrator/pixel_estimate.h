@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "image/image.h"
 #include "math/color.h"
 #include "sampling/pixel.h"
 
@@ -53,9 +52,6 @@ public:
     const PixelEstimate& operator[](std::size_t place) const { return pixels_[place]; }
     /// The same, to enter batches.
     PixelEstimate& operator[](std::size_t place) { return pixels_[place]; }
-
-    /// The means, as a picture.
-    Image picture() const;
 
     /// Mean of all pixels and channels: what errors are compared with in the dark.
     Real brightness() const;

@@ -16,9 +16,6 @@ public:
     /// @throws InputError unless coefficients are finite and at least 0, and there is a phase function
     HomogeneousMedium(const Color& sigmaA, const Color& sigmaS, std::shared_ptr<const PhaseFunction> phase);
 
-    /// Extinction coefficient σ_a + σ_s, 1/m.
-    const Color& sigmaT() const { return sigmaT_; }
-
     Color transmittance(const Ray& ray, Real tEnd) const override;
 
     /// By the extinction of a channel that is picked at random, all three alike.

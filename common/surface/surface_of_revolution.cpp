@@ -149,21 +149,6 @@ Hit SurfaceOfRevolution::hitAt(const Ray& ray, const Place& place, Real t) const
     return hit;
 }
 
-std::vector<Real> SurfaceOfRevolution::crossings(const Ray& ray) const {
-    std::vector<Real> found;
-    if (!canMeet(ray)) return found;
-    const AxisRay axisRay(ray, middle_);
-    for (const RevolvedSegment& segment : segments_) {
-        if (!segment.reach(axisRay)) continue;
-        for (const RevolvedRoot& root : segment.roots(axisRay)) {
-            const Real t = axisRay.tAt(root.distance);
-            if (ray.reaches(t)) found.push_back(t);
-        }
-    }
-    std::sort(found.begin(), found.end());
-    return found;
-}
-
 std::optional<Hit> SurfaceOfRevolution::intersect(const Ray& ray) const {
     if (!canMeet(ray)) return std::nullopt;
     const AxisRay axisRay(ray, middle_);

@@ -39,9 +39,6 @@ public:
     /// the profile; at the tip of a cone it is the axis' direction.
     Vec3 normal(Real u, Real v) const;
 
-    /// All meetings with the ray between tMin and tMax, in the order of t.
-    std::vector<Real> crossings(const Ray& ray) const;
-
     std::optional<Hit> intersect(const Ray& ray) const override;
     bool occluded(const Ray& ray) const override;
     Bounds3 bounds() const override { return bounds_; }

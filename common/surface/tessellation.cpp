@@ -18,29 +18,6 @@ void checkCount(Real triangles, Real tolerance) {
                   "is too small: it takes more than 2^24 triangles");
 }
 
-// Bounds of the second derivatives: of the second differences of the control points.
-struct Bends {
-    Real uu = 0;
-    Real uv = 0;
-    Real vv = 0;
-};
-
-Bends bendsOf(const BezierPatch& patch) {
-    Bends bends;
-    const int m = patch.degreeU();
-    const int n = patch.degreeV();
-    const auto p = [&](int i, int j) { return patch.controlPoint(i, j); };
-    for (int i = 0; i <= m; ++i) {
-        for (int j = 0; j <= n; ++j) {
-            if (i >= 2) bends.uu = std::max(bends.uu, m * (m - 1) * (p(i, j) - 2 * p(i - 1, j) + p(i - 2, j)).norm());
-            if (j >= 2) bends.vv = std::max(bends.vv, n * (n - 1) * (p(i, j) - 2 * p(i, j - 1) + p(i, j - 2)).norm());
-            if (i < 1 || j < 1) continue;
-            bends.uv = std::max(bends.uv, m * n * (p(i, j) - p(i - 1, j) - p(i, j - 1) + p(i - 1, j - 1)).norm());
-        }
-    }
-    return bends;
-}
-
 void addQuad(IndexedTriangles& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
     if (a != b && b != c) mesh.triangles.push_back({a, b, c});
     if (c != d && d != a) mesh.triangles.push_back({a, c, d});
@@ -79,30 +56,6 @@ std::vector<std::uint32_t> addRing(IndexedTriangles& mesh, const Vec3& at, int a
 }
 
 }  // namespace
-
-IndexedTriangles tessellated(const BezierPatch& patch, Real tolerance) {
-    checkPositive(tolerance, "tessellation's tolerance");
-    const Bends bends = bendsOf(patch);
-    // With m and n in proportion to √A and √C each of the two pure terms takes as much of the tolerance.
-    const Real a = std::sqrt(bends.uu) + Real(1e-12);
-    const Real c = std::sqrt(bends.vv) + Real(1e-12);
-    const Real scale = std::sqrt((2 + 2 * bends.uv / (a * c)) / (8 * tolerance));
-    const Real rows = std::max(Real(1), std::ceil(a * scale));
-    const Real columns = std::max(Real(1), std::ceil(c * scale));
-    checkCount(2 * rows * columns, tolerance);
-
-    IndexedTriangles mesh;
-    const int m = static_cast<int>(rows);
-    const int n = static_cast<int>(columns);
-    for (int i = 0; i <= m; ++i) {
-        for (int j = 0; j <= n; ++j) addVertex(mesh, patch.evaluate(Real(i) / m, Real(j) / n).point);
-    }
-    const auto at = [n](int i, int j) { return static_cast<std::uint32_t>(i * (n + 1) + j); };
-    for (int i = 0; i < m; ++i) {
-        for (int j = 0; j < n; ++j) addQuad(mesh, at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
-    }
-    return mesh;
-}
 
 IndexedTriangles tessellated(const SurfaceOfRevolution& surface, Real tolerance) {
     checkPositive(tolerance, "tessellation's tolerance");

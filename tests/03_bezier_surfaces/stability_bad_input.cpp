@@ -42,10 +42,9 @@ TEST(BadInput, PatchesMustHaveTheirNumberOfFinitePoints) {
 }
 
 TEST(BadInput, TolerancesAndSamplesAreChecked) {
-    const BezierPatch patch(1, 1, {Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), Vec3(1, 1, 1)});
-    for (const Real bad : {0.0, -1.0, nan, 1e-30}) EXPECT_THROW(tessellated(patch, bad), InputError) << bad;
     const std::vector<BezierCurve> profile = {curveOf({Vec3(1, 0, 0), Vec3(1, 1, 0)})};
-    EXPECT_THROW(tessellated(SurfaceOfRevolution(profile), 1e-30), InputError);
+    const SurfaceOfRevolution tube(profile);
+    for (const Real bad : {0.0, -1.0, nan, 1e-30}) EXPECT_THROW(tessellated(tube, bad), InputError) << bad;
     for (const int bad : {0, -1, 33}) {
         EXPECT_THROW(NewtonRevolution(profile, NewtonStartRule::Bracketing, bad), InputError) << bad;
     }

@@ -14,6 +14,7 @@
 #include "shape/box.h"
 #include "shape/plane.h"
 #include "support/coloured_fog.h"
+#include "support/isotropic_phase.h"
 
 namespace caustic {
 namespace {
@@ -99,7 +100,7 @@ TEST(Medium, AbsorptionAloneNeverScatters) {
 
 // ∫ p dω = 1, the samples' density is p, and p/p is 1.
 TEST(PhaseFunction, IsotropicIsNormalised) {
-    const IsotropicPhase phase;
+    const test::IsotropicPhase phase;
     Vec3 sum = Vec3::Zero();
     constexpr int n = 100'000;
     for (std::uint64_t i = 0; i < n; ++i) {

@@ -18,13 +18,13 @@
 #include "material/diffuse_material.h"
 #include "medium/henyey_greenstein.h"
 #include "medium/homogeneous_medium.h"
-#include "medium/isotropic_phase.h"
 #include "modeler/objects.h"
 #include "sampling/independent_sampler.h"
 #include "shape/plane.h"
 #include "shape/sphere.h"
 #include "support/coloured_fog.h"
 #include "support/in_cube.h"
+#include "support/isotropic_phase.h"
 #include "support/path_mean.h"
 #include "support/sphere_integral.h"
 
@@ -65,7 +65,7 @@ TEST(Phase, IsExactAtTheEnds) {
             const Vec3 wi = test::inCube(random).normalized();
             EXPECT_EQ(phase.p(wo, wi), phase.p(wi, wo));
             EXPECT_EQ(phase.pdfW(wo, wi), phase.p(wo, wi));
-            EXPECT_NEAR(HenyeyGreenstein(0).p(wo, wi), IsotropicPhase().p(wo, wi), 1e-16);
+            EXPECT_NEAR(HenyeyGreenstein(0).p(wo, wi), test::IsotropicPhase().p(wo, wi), 1e-16);
         }
     }
 }
@@ -172,7 +172,7 @@ TEST(Medium, OfDensityZeroIsEmptySpaceBitForBit) {
 TEST(Medium, IsTheTestsOwnFogBitForBit) {
     const Color sigmaA(0.3, 0.1, 0.7);
     const Color sigmaS(0.2, 0.9, 0.4);
-    const auto medium = std::make_shared<HomogeneousMedium>(sigmaA, sigmaS, std::make_shared<IsotropicPhase>());
+    const auto medium = std::make_shared<HomogeneousMedium>(sigmaA, sigmaS, std::make_shared<test::IsotropicPhase>());
     expectSamePictures(room(medium, true), room(std::make_shared<test::ColouredFog>(sigmaA, sigmaS), true));
 }
 
@@ -233,7 +233,7 @@ TEST(Medium, HalfSpaceReflectsAsChandrasekharSays) {
                 {.shape = std::make_shared<Plane>(Vec3::Zero(), Vec3::UnitZ()),
                  .interior = Interior{1,
                                       std::make_shared<HomogeneousMedium>(sigmaT * (1 - turned), sigmaT * turned,
-                                                                          std::make_shared<IsotropicPhase>()),
+                                                                          std::make_shared<test::IsotropicPhase>()),
                                       0}}};
             description.lights = {std::make_shared<ConstantEnvironment>(Color::Ones())};
             const Vec3 down(std::sqrt(1 - mu * mu), 0, -mu);

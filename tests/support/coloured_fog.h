@@ -1,7 +1,7 @@
 #pragma once
 
-#include "medium/isotropic_phase.h"
 #include "medium/medium.h"
+#include "support/isotropic_phase.h"
 
 namespace caustic::test {
 

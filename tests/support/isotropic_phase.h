@@ -5,7 +5,7 @@
 #include "medium/phase_function.h"
 #include "sampling/warp.h"
 
-namespace caustic {
+namespace caustic::test {
 
 /// Light goes into all directions alike: p = 1/(4π). Source: PBR 11.3.
 class IsotropicPhase final : public PhaseFunction {
@@ -18,4 +18,4 @@ private:
     static constexpr Real value = std::numbers::inv_pi / 4;
 };
 
-}  // namespace caustic
+}  // namespace caustic::test
