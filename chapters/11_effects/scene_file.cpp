@@ -4,12 +4,12 @@
 
 #include "camera/thin_lens_camera.h"
 #include "image/image.h"
-#include "image/image_file.h"
 #include "light/area_light.h"
 #include "light/cone_light.h"
 #include "light/constant_environment.h"
 #include "light/environment_map.h"
 #include "light/point_light.h"
+#include "maps.h"
 #include "scene/normal_mapped_shape.h"
 #include "scene_json.h"
 #include "scene_materials.h"
@@ -59,7 +59,7 @@ const std::vector<JsonKind<std::shared_ptr<Light>>>& lightKinds() {
              const auto radiance = place.find("radiance");
              if (file.has_value() == radiance.has_value()) place.refuse("needs either a radiance or a file");
              if (radiance) return std::make_shared<ConstantEnvironment>(radiance->color());
-             Image image = loadImage(fileNamedBy(*file));
+             Image image = loadPanorama(fileNamedBy(*file));
              if (const auto scale = place.find("scale")) {
                  const Real factor = scale->number(0, largest);
                  for (int y = 0; y < image.height(); ++y) {

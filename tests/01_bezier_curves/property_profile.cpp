@@ -216,5 +216,27 @@ TEST(ProfileAssets, WineGlassIsTheSameAsDrawingAndAsText) {
     }
 }
 
+// Numbers that its layers' transforms give by hand: a foot of radius 34 at y = 0 and 131 high; a flame of 34 × 6.75,
+// enlarged by 1.5 around a wick at 40, moved down by 1 cm of 96/2.54 pixels, and made narrower by 0.9.
+TEST(ProfileAssets, CandlestickStandsWhereItsLayersPutIt) {
+    const std::string file = (test::sourceDir() / "assets/profiles/candlestick.svg").string();
+    const Bounds3 stick = loadProfile(file + "#profile").bounds();
+    EXPECT_NEAR(stick.min().y(), 0, 1e-9);
+    EXPECT_NEAR(stick.max().y(), 131, 1e-9);
+    EXPECT_NEAR(stick.max().x(), 34, 1e-9);
+    const Bounds3 flame = loadProfile(file + "#flame").bounds();
+    EXPECT_NEAR(flame.min().y(), 200 - 40 - 96 / 2.54, 1e-9) << "the wick";
+    EXPECT_NEAR(flame.max().y() - flame.min().y(), 1.5 * 34, 1e-9);
+    EXPECT_NEAR(flame.min().x(), 0, 1e-9);
+    EXPECT_NEAR(flame.max().x(), 1.5 * 0.9 * 6.75, 1e-9);
+    try {
+        loadProfile(file);
+        FAIL() << "two paths are drawn";
+    } catch (const InputError& error) {
+        EXPECT_EQ(std::string(error.what()), file + ": has several paths; choose one of #profile, #flame")
+            << "Is the hidden sketch left out?";
+    }
+}
+
 }  // namespace
 }  // namespace caustic

@@ -63,14 +63,14 @@ TEST(SceneFile, ReadsWhatTheFileSays) {
     EXPECT_EQ(read.limits.passes, 2);
 }
 
-// The course's three examples.
+// The course's examples.
 TEST(SceneFile, ReadsTheExamples) {
     int count = 0;
     for (const auto& entry : std::filesystem::directory_iterator(test::sourceDir() / "assets/scenes")) {
         EXPECT_NO_THROW(Scene(loadScene(entry.path().string()).description)) << entry.path();
         ++count;
     }
-    EXPECT_EQ(count, 3);
+    EXPECT_EQ(count, 4);
 }
 
 struct Bad {

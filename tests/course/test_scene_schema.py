@@ -14,7 +14,7 @@ SCHEMA = json.loads((TOP / "docs/scene.schema.json").read_text(encoding="utf-8")
 class SceneSchema(unittest.TestCase):
     def test_examples_fit(self):
         examples = sorted((TOP / "assets/scenes").glob("*.json"))
-        self.assertEqual(len(examples), 3)
+        self.assertEqual(len(examples), 4)
         for example in examples:
             jsonschema.validate(json.loads(example.read_text(encoding="utf-8")), SCHEMA)
 
