@@ -22,11 +22,6 @@ Real differenceOfProducts(Real a, Real b, Real c, Real d) {
 
 Real largest(Real a, Real b, Real c) { return std::max({std::abs(a), std::abs(b), std::abs(c)}); }
 
-// The axes in their order, given that of the direction's largest component: for a positive one, and for a negative one.
-using Axes = std::array<int, 3>;
-constexpr std::array<std::array<Axes, 3>, 2> axesFor = {
-    {{{{1, 2, 0}, {2, 0, 1}, {0, 1, 2}}}, {{{2, 1, 0}, {0, 2, 1}, {1, 0, 2}}}}};
-
 // A vertex in the ray's space.
 struct Sheared {
     Real x, y, z;
@@ -51,16 +46,6 @@ Real exactNumerator(const ShearedRay& sheared, const Vec3& a, const Vec3& b, con
 }
 
 }  // namespace
-
-ShearedRay::ShearedRay(const Ray& original) : ray(original) {
-    // Looked up: a branch for each question would be guessed wrongly once a ray.
-    const Vec3 size = original.direction.cwiseAbs();
-    const int y = size.y() > size.x() ? 1 : 0;
-    const int z = size.z() > std::max(size.x(), size.y()) ? 2 : y;
-    axis = axesFor[original.direction[z] < 0 ? 1 : 0][static_cast<std::size_t>(z)];
-    const Real dz = original.direction[z];
-    shear = {original.direction[axis[0]] / dz, original.direction[axis[1]] / dz, 1 / dz};
-}
 
 std::optional<TriangleHit> intersectWatertight(const ShearedRay& sheared, const Vec3& a, const Vec3& b, const Vec3& c) {
     //! [ex-02.4]
