@@ -42,7 +42,9 @@ int main(int argc, char** argv) {
                    ChoiceValue{&wishes.rule, ruleNames()}},
                   {"--paths", "N", "Paths a pixel, on average", RangedValue<std::int64_t>{&wishes.paths, 1, 1 << 24}},
                   {"--tolerance", "SHARE", "Of the rule interval", RangedValue<double>{&wishes.tolerance, 1e-9, 1e3}},
-                  {"--width", "PIXELS", "Of the picture", RangedValue<std::int64_t>{&wishes.width, 8, 4096}}}},
+                  {"--width", "PIXELS", "Of the picture", RangedValue<std::int64_t>{&wishes.width, 8, 4096}},
+                  {"--checkpoint", "FILE", "Go on from this file when it is there, and write it",
+                   TextValue{&wishes.checkpoint}}}},
             {.argument = {"--recalibrate", "PART",
                           "Measure anew how many uniform passes take as long as the adaptive pictures, at "
                           "that part of their width; writes work.json",

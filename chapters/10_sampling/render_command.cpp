@@ -5,9 +5,11 @@
 
 #include "core/check.h"
 #include "core/progress.h"
+#include "core/text.h"
 #include "figures/heat.h"
 #include "image/image_file.h"
 #include "image/tone_mapping.h"
+#include "integrator/checkpoint.h"
 #include "sampling/sampler_names.h"
 #include "scenes.h"
 
@@ -22,6 +24,15 @@ std::unique_ptr<AdaptiveRule> makeRule(const RenderWishes& wishes, const Scene& 
     if (wishes.rule == "interval") return std::make_unique<IntervalRule>(wishes.tolerance);
     checkArgument(wishes.rule == "gain", "rule", wishes.rule, "must be uniform, hash, edges, interval or gain");
     return std::make_unique<GainRule>();
+}
+
+// Everything that a path depends on, and who gets it: more paths only go on. Strata alone know how many there will be.
+std::string pictureName(const std::string& scene, const RenderWishes& wishes, std::uint64_t seed) {
+    std::string name = scene + ", width " + std::to_string(wishes.width) + ", seed " + std::to_string(seed) + ", " +
+                       wishes.sampler + ", rule " + wishes.rule;
+    if (wishes.sampler == "stratified") name += ", " + std::to_string(wishes.paths) + " paths";
+    if (wishes.rule == "interval") name += ", tolerance " + formatReal(wishes.tolerance);
+    return name;
 }
 
 }  // namespace
@@ -43,8 +54,14 @@ void renderScene(const std::string& name, const RenderWishes& wishes, const Chap
     Progress progress(name);
     progress.expect(progressSteps);
     RenderSettings settings = {.threads = options.threads, .progress = &progress};
-    const auto save = [&](const Rendering& rendering) {
+    const auto draw = [&](Integrator& integrator) {
+        const std::string picture = pictureName(name, wishes, options.seed);
+        Rendering rendering = {Film(scene.camera().width(), scene.camera().height()), {}};
+        if (!wishes.checkpoint.empty() && std::filesystem::exists(wishes.checkpoint))
+            rendering = loadCheckpoint(wishes.checkpoint, picture, integrator);
+        resume(integrator, settings, rendering);
         requireFinite(rendering);
+        if (!wishes.checkpoint.empty()) saveCheckpoint(wishes.checkpoint, picture, rendering, integrator);
         const std::filesystem::path file = folder / ("render_" + name + ".png");
         saveImage(file, toneMapped(rendering.film.image(), what.tone.exposure, what.tone.white));
         std::printf("%s: %lld passes, %.2f s\n", file.string().c_str(), static_cast<long long>(rendering.passes),
@@ -52,14 +69,14 @@ void renderScene(const std::string& name, const RenderWishes& wishes, const Chap
     };
     if (wishes.rule == "uniform") {
         settings.passes = wishes.paths;
-        return save(render(*inner, settings));
+        return draw(*inner);
     }
     const auto rule = makeRule(wishes, scene, options.threads);
     const std::int64_t pixels = std::int64_t{scene.camera().width()} * scene.camera().height();
     AdaptiveIntegrator adaptive(*inner, *sampler, *rule,
                                 {.batch = 4, .first = 16, .paths = wishes.paths * pixels, .share = 0.05});
-    const Rendering rendering = renderAdaptively(adaptive, settings);
-    save(rendering);
+    settings.choose = [&adaptive](const Rendering&) { return adaptive.next(); };
+    draw(adaptive);
     saveImage(folder / ("render_" + name + "_paths.png"), heatMap(adaptive, 16, 1024));
 }
 

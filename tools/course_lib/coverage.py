@@ -41,8 +41,9 @@ COMMANDS = {
     "09_sppm": (*2 * (("--render", "thumbnail", "--rule", "point", "--passes", 2, "--photons", 1000,
                        "--checkpoint", f"{OUT}/glass.state", *TO_OUT),),
                 ("--errors", "peers_box", "--time", 8, "--out", OUT)),
-    "10_sampling": tuple(("--render", "box", "--sampler", sampler, "--rule", rule, "--paths", 16, "--width", 32, *TO_OUT)
-                         for sampler, rule in (("halton", "uniform"), ("sobol", "interval"))),
+    "10_sampling": (("--render", "box", "--sampler", "halton", "--rule", "uniform", "--paths", 16, "--width", 32, *TO_OUT),
+                    *(("--render", "box", "--rule", "interval", "--paths", paths, "--width", 32,
+                       "--checkpoint", f"{OUT}/box.state", *TO_OUT) for paths in (24, 32))),
     "11_effects": (*2 * (("--final", 64, "--passes", 2, "--photons", 1000, "--checkpoint", f"{OUT}/final.state", *TO_OUT),),
                    ("--scene", "assets/scenes/*", *TO_OUT)),
 }
