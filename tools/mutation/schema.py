@@ -41,10 +41,16 @@ concept Dense = requires(const T& x) {{ typename T::PlainObject; x.template cast
 template <typename T>
 concept ArrayOf = Dense<T> && !requires(const T& x) {{ x.norm(); }};
 
+/// Through memory: GCC 12 makes x of static_cast<double>(static_cast<float>(x)) where it vectorises.
 template <Floating T>
-T narrowed(T x) {{ return static_cast<T>(static_cast<float>(x)); }}
+T narrowed(T x) {{
+    const volatile float narrow = static_cast<float>(x);
+    return static_cast<T>(narrow);
+}}
 template <Dense T>
-typename T::PlainObject narrowed(const T& x) {{ return x.template cast<float>().template cast<typename T::Scalar>(); }}
+typename T::PlainObject narrowed(const T& x) {{
+    return x.unaryExpr([](typename T::Scalar one) {{ return narrowed(one); }});
+}}
 
 template <Floating T>
 T unsignedOf(T x) {{ return x < 0 ? -x : x; }}
