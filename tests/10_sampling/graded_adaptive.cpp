@@ -2,8 +2,10 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
+#include <span>
 #include <sstream>
 
 #include "camera/box_filter.h"
@@ -18,6 +20,8 @@ constexpr int width = 10;
 constexpr int height = 6;
 constexpr std::size_t pixels = width * height;
 
+constexpr Pixel broken = {9, 5};  // brings no numbers
+
 std::size_t placeOf(Pixel pixel) { return static_cast<std::size_t>(pixel.y * width + pixel.x); }
 
 // A method without a scene: a coloured value that goes with pixel and path.
@@ -28,6 +32,7 @@ public:
     Color Li(const Ray&, const MediumStack&, const PathNumbers&, RayCounts&) const override { return Color::Ones(); }
     Color tracePath(const PathId& path, std::vector<Splat>&, RayCounts& counts) const override {
         ++counts.rays;
+        if (path.pixel == broken) return Color::Constant(std::numeric_limits<Real>::quiet_NaN());
         return value(path);
     }
     static Color value(const PathId& path) {
@@ -104,6 +109,12 @@ TEST(AdaptiveLoop, GivesEachPixelTheFirstPaths) {
     one.start(given);
     EXPECT_EQ(countsOf(one.adaptive.next()), (std::map<std::size_t, std::int64_t>{{0, 4}, {31, 4}, {59, 4}}))
         << "Those that have their first paths wait for the others.";
+    Case whole({{7, 1}}, {.batch = 5, .first = 10, .spread = 0});
+    given.assign(pixels, 10);
+    given[31] = 5;
+    whole.start(given);
+    EXPECT_EQ(countsOf(whole.adaptive.next()), (std::map<std::size_t, std::int64_t>{{31, 5}}))
+        << "10 paths are all of the first 10: does such a pixel wait for the others?";
     Case few({{7, 1}}, {.batch = 4, .first = 10, .paths = 12 * pixels, .spread = 0});
     given.assign(pixels, 12);
     given[0] = 8;
@@ -219,6 +230,29 @@ TEST(AdaptivePass, EntersTheMeanOfEachBatch) {
     }
     EXPECT_EQ(one.adaptive.estimates()[0].batches, 0) << "A pixel without paths learns nothing.";
     EXPECT_EQ(counts.rays, 36) << "What the method has done in the scene is told.";
+
+    // A pass is a part of a longer list, as several machines share it: what stands behind it isn't in it.
+    const std::vector<PathId> list = pathsOf({{2, 1}, {5, 3}}, 0, 4);
+    for (const std::size_t size : {3, 4}) {
+        Case part({}, {.batch = 3});
+        part.adaptive.runPass({0, std::span(list).first(size)}, 1);
+        EXPECT_EQ(part.adaptive.paths(), static_cast<std::int64_t>(size)) << "How many paths has the pass?";
+        EXPECT_EQ(part.adaptive.paths({2, 1}), static_cast<std::int64_t>(size)) << "How many paths has the pass?";
+        EXPECT_EQ(part.adaptive.estimates()[placeOf({2, 1})].batches, 1) << "Does the last batch of a pass count?";
+        EXPECT_EQ(part.adaptive.estimates()[placeOf({5, 3})].batches, 0) << "Where does the pass end?";
+    }
+
+    // A batch may be a single path. One without any number is no batch: it isn't black.
+    Case single({}, {.batch = 1});
+    const std::vector<Pixel> two = {{2, 1}, broken};
+    for (std::int64_t pass = 0; pass < 3; ++pass) {
+        const auto paths = pathsOf(two, pass, 1);
+        single.adaptive.runPass({pass, paths}, 1);
+    }
+    EXPECT_EQ(single.adaptive.estimates()[placeOf({2, 1})].batches, 3) << "A batch of one path is a batch.";
+    EXPECT_EQ(single.adaptive.estimates()[placeOf(broken)].batches, 0)
+        << "What is known of a pixel whose paths brought no numbers?";
+    EXPECT_EQ(single.adaptive.paths(broken), 3) << "They are numbered all the same.";
 }
 
 // Apart: every other pass decides and isn't shown; what is shown decides nothing.
@@ -231,6 +265,8 @@ TEST(AdaptivePass, DecidesApartFromWhatCounts) {
         const Rendering rendering = one.adaptive.runPass({pass, paths}, 1);
         const bool decides = pass % 2 == 0;
         EXPECT_EQ(one.adaptive.estimates()[placeOf(pixel)].batches - before, decides ? 1 : 0) << "pass " << pass;
+        ASSERT_EQ(rendering.film.width(), width) << "Is an empty film as large as a full one?";
+        ASSERT_EQ(rendering.film.height(), height) << "Is an empty film as large as a full one?";
         EXPECT_EQ(rendering.film.samples(pixel), decides ? 0 : 2) << "pass " << pass;
         EXPECT_EQ(rendering.counts.rays, 2) << "It costs, shown or not.";
     }

@@ -29,6 +29,13 @@ TEST(EdgeRule, FindsStepsInAnyChannel) {
                     << x << ", " << y << ": Is the largest of the channels compared, without its sign?";
         }
     }
+    // A chessboard has edges everywhere, in its corners, too.
+    PixelEstimates chessboard(width, height);
+    for (std::size_t i = 0; i < chessboard.size(); ++i)
+        chessboard[i] = {3, (i % width + i / width) % 2 == 0 ? Color(1, 2, 1) : Color(1, 0.1, 1), Color::Zero()};
+    const std::vector<Real> everywhere = rule.wanted(chessboard);
+    for (std::size_t i = 0; i < everywhere.size(); ++i)
+        ASSERT_GT(everywhere[i], 0) << i % width << ", " << i / width << ": Is each pixel looked at, first and last?";
     // What is wanted goes with the Laplacian of v/(v + m): left and right of the step it is their difference.
     const Color left(1, 0.5, 4);
     const Color right(3, 5, 0.2);
@@ -47,7 +54,7 @@ TEST(EdgeRule, FindsStepsInAnyChannel) {
 TEST(EdgeRule, DoesNotCareHowBrightTheSceneIs) {
     const EdgeRule rule(0.1);
     const std::vector<Real> wanted = rule.wanted(step(Color(0.2, 1, 1), Color(2, 1, 0.4)));
-    for (const Real scale : {1e-6, 1e5}) {
+    for (const Real scale : {1e-60, 1e-6, 1e5, 1e60}) {
         const std::vector<Real> scaled = rule.wanted(step(scale * Color(0.2, 1, 1), scale * Color(2, 1, 0.4)));
         for (std::size_t i = 0; i < wanted.size(); ++i)
             ASSERT_NEAR(scaled[i], wanted[i], 1e-5) << "Compressed by the picture's own mean?";
@@ -70,6 +77,13 @@ TEST(EdgeRule, AsksForSteepEdgesWithFewPathsFirst) {
     const std::vector<Real> steeper = rule.wanted(step(Color::Ones(), Color(6, 6, 6)));
     EXPECT_GT(steeper[5], 1.2 * before[5]);
     for (const Real want : EdgeRule(0.9).wanted(step(Color::Ones(), Color(2, 2, 2)))) ASSERT_EQ(want, 0);
+    // A third of the pixels is 3 and the others black: the mean is 1, and the edge 3/4, to the last digit.
+    PixelEstimates third(width, height);
+    for (std::size_t i = 0; i < third.size(); ++i)
+        third[i] = {1, i % width < 4 ? Color(3, 3, 3) : Color::Zero(), Color::Zero()};
+    for (const Real want : EdgeRule(0.75).wanted(third))
+        ASSERT_EQ(want, 0) << "Larger than the threshold, or as large?";
+    EXPECT_TRUE(edgeAt(EdgeRule(0.7499).wanted(third), 3, 2));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <vector>
@@ -39,6 +40,20 @@ TEST(EmissionSampler, PutsEachPointIntoItsCell) {
             }
         }
     }
+    // Of these paths' pairs, x of the first and y of the second are within 2⁻²⁹ of 1.
+    const Dimension dimension = Dimension::emissionPoint();
+    constexpr std::int64_t most = std::int64_t{1} << 31;
+    for (const std::int64_t index : {39520239, 35318693}) {
+        const PathName path = {2, {0, 0}, index};
+        const Vec2 u = EmissionSampler(3, columns, rows, CellPlace::Jittered).pointOf(4 * columns + 5, path, dimension);
+        EXPECT_EQ(static_cast<std::uint32_t>(u.x() * columns), 5U) << "Does a number just below 1 stay in its cell?";
+        EXPECT_EQ(static_cast<std::uint32_t>(u.y() * rows), 4U) << "Does a number just below 1 stay in its cell?";
+        for (const CellPlace place : {CellPlace::Jittered, CellPlace::Offset}) {
+            const Vec2 last = EmissionSampler(3, most, 1, place).pointOf(most - 1, path, dimension);
+            const Vec2 lowest = EmissionSampler(3, 1, most, place).pointOf(most - 1, path, dimension);
+            EXPECT_LT(std::max(last.maxCoeff(), lowest.maxCoeff()), 1) << "May a sum round up to 1?";
+        }
+    }
 }
 
 // Over many rounds a jittered point, and an offset one, is anywhere in its cell, with the same density.
@@ -57,6 +72,19 @@ TEST(EmissionSampler, FillsItsCells) {
         EXPECT_GT(test::chiSquareProbability(counts, expected), falseAlarm)
             << "Are both coordinates moved within their cell, each by a number of its own?";
     }
+
+    // With offsets: also within the place that the order leaves, 1/rows of the cell in x and 1/columns in y.
+    std::vector<double> counts(36, 0);
+    constexpr int rounds = 400;
+    for (std::int64_t round = 0; round < rounds; ++round) {
+        for (const Vec2& u : points(CellPlace::Offset, round, Dimension::emissionPoint())) {
+            const Vec2 places = u * columns * rows;
+            const Vec2 within(places.x() - std::floor(places.x()), places.y() - std::floor(places.y()));
+            ++counts[6 * static_cast<std::size_t>(6 * within.x()) + static_cast<std::size_t>(6 * within.y())];
+        }
+    }
+    EXPECT_GT(test::chiSquareProbability(counts, std::vector<double>(36, rounds * columns * rows / 36.0)), falseAlarm)
+        << "Within the place that its order gives it, is a point moved by two numbers?";
 }
 
 // Chiu, Shirley, Wang 1994: with offsets, each coordinate alone has one point in each of columns · rows intervals.

@@ -54,6 +54,13 @@ TEST(Halton, PermutesEachDigitByItself) {
             << "base " << base << ": Are leading zeros permuted, each place by a permutation of its own?";
     }
 
+    // 200 of 29⁷ numbers: two of them are the same once in 10⁶, three pairs never.
+    for (const int shift : {0, 32}) {
+        std::set<Real> numbers;
+        for (std::uint64_t k = 0; k < 200; ++k) numbers.insert(haltonNumber(0, 9, 0x2b00000017 + (k << shift)));
+        EXPECT_GE(numbers.size(), 198U) << "Does each of a key's 64 bits name other permutations?";
+    }
+
     // Multiples of the largest b⁻ᵏ that is at most 2⁻³², and all of these: the last digit takes each value.
     for (int dimension = 0; dimension < haltonDimensions; ++dimension) {
         const std::uint64_t base = primes[dimension];
