@@ -33,11 +33,6 @@ public:
     /// @throws InputError as PointBeamTree does
     explicit PhotonVolume(std::span<const Photon> photons);
 
-    /// How many photons there are.
-    std::size_t size() const { return photons_.size(); }
-    /// All of them, in the tree's order.
-    std::span<const Photon> photons() const { return photons_; }
-
     /// Radiance that the photons around a piece of a ray scatter to where it begins, W/(m²·sr).
     Color radiance(const MediumSpan& span, const BeamSettings& settings) const;
 

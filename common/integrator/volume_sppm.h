@@ -45,9 +45,6 @@ public:
     /// With the photons of the pass that was run last.
     Color Li(const Ray& ray, const MediumStack& media, const PathNumbers& numbers, RayCounts& counts) const override;
 
-    /// Settings, with the radii that are used.
-    const VolumeSppmSettings& settings() const { return settings_; }
-
     /// Why it traces no photons; empty when it does.
     std::string whyNoPhotons() const;
 

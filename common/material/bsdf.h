@@ -90,9 +90,6 @@ protected:
     Bsdf(const Bsdf&) = default;
     Bsdf& operator=(const Bsdf&) = delete;
 
-    /// Normals and indices of refraction.
-    const ShadingFrame& shading() const { return shading_; }
-
 private:
     // The model in its own frame. wo.z may be a little below 0 where ng and ns disagree. Values carry energy: the base
     // class turns them into what `mode` asks for. eta is n on the other side over n on wo's side.

@@ -14,9 +14,6 @@ public:
     /// @throws InputError for others
     explicit HenyeyGreenstein(Real g);
 
-    /// Mean cosine of the angle by which light is turned.
-    Real g() const { return g_; }
-
     Real p(const Vec3& wo, const Vec3& wi) const override;
     /// In proportion to p exactly: the density is p.
     PhaseSample sample(const Vec3& wo, const Vec2& u) const override;

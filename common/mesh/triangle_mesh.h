@@ -22,8 +22,6 @@ public:
 
     /// What the mesh was made from.
     const MeshData& data() const { return *mesh_; }
-    /// How it finds triangles.
-    const MeshTree& tree() const { return *tree_; }
 
     std::optional<Hit> intersect(const Ray& ray) const override;
     bool occluded(const Ray& ray) const override { return tree_->occluded(ray); }

@@ -14,9 +14,6 @@ public:
     /// @throws InputError when there is no member, or one is null
     explicit Group(std::vector<std::shared_ptr<const Shape>> members);
 
-    /// The shapes as they were given.
-    const std::vector<std::shared_ptr<const Shape>>& members() const { return members_; }
-
     std::optional<Hit> intersect(const Ray& ray) const override;
     bool occluded(const Ray& ray) const override;
     Bounds3 bounds() const override { return bounds_; }
