@@ -8,7 +8,6 @@ CompactKdTree::CompactKdTree(std::vector<KdBox<float>> boxes, const KdRule& rule
     const KdNodes<float> built = buildKdTree<float>(std::move(boxes), rule, clip);
     box_ = built.box;
     depth_ = built.depth;
-    references_ = built.items.size();
     nodes_.reserve(built.nodes.size());
     for (const KdNode<float>& node : built.nodes) {
         if (!node.isLeaf()) {

@@ -38,10 +38,9 @@ public:
 
     /// Bytes that the nodes take.
     std::size_t memory() const { return nodes_.size() * sizeof(Node); }
-    /// Levels, inner nodes and leaves together, references to items.
+    /// Levels, inner nodes and leaves together.
     int depth() const { return depth_; }
     std::size_t nodeCount() const { return nodes_.size(); }
-    std::size_t references() const { return references_; }
 
 private:
     struct Node {
@@ -58,7 +57,6 @@ private:
     std::vector<Node> nodes_;
     std::vector<std::uint32_t> blockItems_;
     KdBox<float> box_;
-    std::size_t references_ = 0;
     int depth_ = 0;
 };
 
