@@ -91,6 +91,11 @@ TEST(ImageDistribution, SamplesSayTheirDensity) {
                 << "The cell's probability over its area, times what varies within it: is one of the three missing?";
             ASSERT_NEAR(sample.pdf, distribution.pdf(sample.at), 1e-9) << "To the last digits?";
         }
+        for (int i = 0; i < 200; ++i) {
+            const Vec2 u(random.uniform(), random.uniform());
+            const Vec2 step = distribution.sample(u + Vec2(1e-10, 1e-10)).at - distribution.sample(u).at;
+            ASSERT_TRUE(step.x() != 0 && step.y() != 0) << "Have places as many digits as the numbers?";
+        }
     }
 }
 

@@ -49,6 +49,14 @@ void expectEvenAngles(const Ray& ray, Real tEnd, const Vec3& centre) {
         ASSERT_NEAR(shares[static_cast<std::size_t>(i)], (i + 0.5) / n, 1e-9) << "Evenly spread angles?";
 }
 
+// However near the number is to 1, the place is on the ray.
+void expectWithinTheRay(const Ray& ray, Real tEnd, const Vec3& centre) {
+    for (const Real u : {0.0, 1e-300, 1 - 0x1p-30, 1 - 0x1p-53}) {
+        const PlaceOnRay place = sampleEquiAngular(ray, tEnd, centre, u);
+        ASSERT_TRUE(place.t >= 0 && place.t <= tEnd) << "u = " << u << ": the ray ends at " << tEnd;
+    }
+}
+
 // Rays from anywhere past anything, at scales from a millimetre to a kilometre; the centre before, beside and behind.
 TEST(EquiAngular, SpreadsAnglesEvenly) {
     Random random(3, {});
@@ -57,6 +65,11 @@ TEST(EquiAngular, SpreadsAnglesEvenly) {
         const Ray ray = {scale * test::inCube(random), test::inCube(random).normalized()};
         const Vec3 centre = ray.origin + scale * test::inCube(random);
         expectEvenAngles(ray, scale * random.uniform(0.1, 3), centre);
+    }
+    for (int i = 0; i < 20'000; ++i) {
+        const Real scale = std::pow(10, random.uniform(-3, 3));
+        const Ray ray = {scale * test::inCube(random), test::inCube(random).normalized()};
+        expectWithinTheRay(ray, scale * random.uniform(0.1, 3), ray.origin + scale * test::inCube(random));
     }
 }
 

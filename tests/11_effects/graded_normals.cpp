@@ -54,6 +54,18 @@ TEST(MappedNormal, MapStandsOnUAndV) {
         const Vec3 across = (v - v.dot(u) * u).normalized();
         ASSERT_NEAR(normal.dot(across), local.y(), 1e-9) << "Where u and v are left-handed, where does y go?";
     }
+    // u of any length next to v's, and so near to ns that only a millionth of it lies along the surface.
+    for (const Real size : {1e-9, 1.0, 1e9}) {
+        for (const Real other : {1e-12, 1.0, 1e12}) {
+            Hit hit = someHit(random, true);
+            const Frame frame = Frame::around(hit.ns);
+            hit.dpdu = size * (1e-6 * frame.s + hit.ns);
+            hit.dpdv = size * other * frame.t;
+            const Vec3 normal = mappedNormal(hit, Vec3(0.24, 0, 0.97).normalized(), hit.ng);
+            ASSERT_NEAR(normal.dot(frame.s), Vec3(0.24, 0, 0.97).normalized().x(), 1e-6)
+                << "u " << size << ", v " << size * other << " long: When has u no direction?";
+        }
+    }
 }
 
 // Whatever the map says and wherever wo is, on either side: the mirrored direction stays on wo's side of the surface,
@@ -108,6 +120,22 @@ TEST(MappedNormal, BendsNoFurtherThanNeeded) {
 
 // A flat map leaves the normal as it was, to the last bit; and where u has no direction there is no map.
 TEST(MappedNormal, FlatChangesNothing) {
+    // Nor does it matter from which side of the surface one looks along the same line.
+    Random sides(11, {7});
+    for (int i = 0; i < 5000; ++i) {
+        const Hit hit = someHit(sides, i % 2 == 0);
+        const Vec3 local = someLocal(sides);
+        const Vec3 wo = (std::pow(10, sides.uniform(-3, 1)) * hit.ng + hit.ng.cross(direction(sides))).normalized();
+        ASSERT_LE((mappedNormal(hit, local, wo) - mappedNormal(hit, local, -wo)).norm(), 1e-9)
+            << "What does the side of wo turn round?";
+    }
+    // Along the surface, across the plane in which a normal leans: bending it wouldn't change a thing.
+    Hit level;
+    level.ng = level.ns = Vec3::UnitZ();
+    level.dpdu = Vec3::UnitX();
+    level.dpdv = Vec3::UnitY();
+    EXPECT_EQ(mappedNormal(level, Vec3(-0.6, 0, 0.8), Vec3::UnitY()), Vec3(-0.6, 0, 0.8));
+
     Random random(11, {4});
     for (int i = 0; i < 1000; ++i) {
         Hit hit = someHit(random, true);

@@ -12,8 +12,8 @@
 namespace caustic {
 namespace {
 
-const Vec3 directions[] = {Vec3(0.3, -0.8, 0.4).normalized(), Vec3(-0.2, 0.1, -0.9).normalized(), -Vec3::UnitZ(),
-                           Vec3::UnitX()};
+const Vec3 directions[] = {Vec3(0.3, -0.8, 0.4).normalized(), Vec3(-0.5, 0.7, 0.3).normalized(),
+                           Vec3(-0.2, 0.1, -0.9).normalized(), -Vec3::UnitZ(), Vec3::UnitX()};
 
 // A peak lies at −wo, which must not be a pole of the test's cells.
 Frame cellsFor(const Vec3& wo) {
@@ -74,6 +74,10 @@ TEST(HenyeyGreenstein, SampleSaysItsDensity) {
                 EXPECT_NEAR(one.wi.norm(), 1, 1e-12);
                 EXPECT_NEAR(one.p / phase.p(wo, one.wi), 1, 1e-9) << "p of wo and wi";
                 EXPECT_NEAR(one.pdfW / one.p, 1, 1e-9) << "Sampled in proportion to p: which density is that?";
+            }
+            for (const Real u : {0.0, 0.25, 0.5, 0.75, 1 - 0x1p-53}) {
+                const PhaseSample one = phase.sample(wo, {u, 0.3});
+                EXPECT_NEAR(one.wi.norm(), 1, 1e-12) << "g = " << g << ", u = " << u << ": is anything divided by 0?";
             }
         }
     }

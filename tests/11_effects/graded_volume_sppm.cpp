@@ -12,12 +12,15 @@
 #include "light/point_light.h"
 #include "material/diffuse_material.h"
 #include "material/mirror_material.h"
+#include "material/refraction_material.h"
 #include "medium/henyey_greenstein.h"
 #include "medium/homogeneous_medium.h"
 #include "modeler/objects.h"
 #include "sampling/sobol_sampler.h"
 #include "shape/plane.h"
+#include "shape/rectangle.h"
 #include "shape/sphere.h"
+#include "texture/constant_texture.h"
 
 namespace caustic {
 namespace {
@@ -83,6 +86,23 @@ Color seen(const SceneDescription& description, int mostSegments, std::int64_t p
     return render(sppm, {.passes = paths}).film.value({0, 0});
 }
 
+// The same of one ray, which needn't be a pixel's.
+Color seenAlong(const SceneDescription& description, const Ray& ray, int mostSegments, int paths = 1) {
+    const Scene scene(description);
+    const SobolSampler sampler(1);
+    const BoxFilter filter;
+    VolumeSppmSettings settings;
+    settings.limits.maxLength = mostSegments;
+    settings.photons = 0;
+    VolumeSppm sppm(scene, sampler, filter, settings);
+    render(sppm, {.passes = 1});
+    RayCounts counts;
+    Color sum = Color::Zero();
+    for (int i = 0; i < paths; ++i)
+        sum += sppm.Li(ray, scene.mediaAt(ray.origin), sampler.start(0, {0, 0}, i), counts) / paths;
+    return sum;
+}
+
 void expectColor(const Color& found, const Color& expected, Real tolerance, const std::string& question) {
     for (int channel = 0; channel < 3; ++channel)
         EXPECT_NEAR(found[channel] / expected[channel], 1, tolerance) << "channel " << channel << ": " << question;
@@ -101,6 +121,61 @@ TEST(VolumeSppm, DimsWhatLiesBehind) {
     expectColor(seen(description, 1, 1), Color(1, 2, 3) * thick.passed(view), 1e-5, "What passes of the environment?");
     description.objects.push_back(rectangleLamp({9, -1, -1}, {0, 0, 2}, {0, 2, 0}, {4, 5, 6}));
     expectColor(seen(description, 1, 1), Color(4, 5, 6) * thick.passed(view), 1e-5, "What passes of the lamp's light?");
+}
+
+// Aslant, through smoke that absorbs only, to the last digits: a lamp that scatters nothing, the sky, and surfaces that
+// shine themselves, at which the path ends in each of the ways that it can.
+TEST(VolumeSppm, AddsWhatShinesWhereverThePathEnds) {
+    const Color radiance(4, 0.5, 7);
+    const auto shine = std::make_shared<ConstantTexture>(radiance);
+    for (const Vec3& aside : {Vec3(0.6, 0.5, -0.7), Vec3(-0.8, 0.3, 0.4), Vec3(0.5, -0.7, 0.2)}) {
+        const Ray ray = {Vec3(1, -2, 0.5), aside.normalized()};
+        const Fog smoke = {ray.at(3) + Vec3(0.1, 0.2, -0.1), 1, {1.2, 0.1, 0.5}, Color::Zero()};
+        const Vec3 s = ray.direction.unitOrthogonal();
+        const Vec3 t = ray.direction.cross(s);
+        // Across the ray, its front towards it.
+        const auto plate = [&](const std::shared_ptr<const Material>& material) {
+            SceneObject object;
+            object.shape = std::make_shared<Rectangle>(ray.at(7) - s - t, 2 * t, 2 * s);
+            object.material = material;
+            object.emission = shine;
+            return object;
+        };
+        SceneDescription description;
+        description.camera = alongX(view.origin);
+        description.objects = {smoke.object()};
+        description.lights = {std::make_shared<ConstantEnvironment>(Color(1, 2, 3))};
+        expectColor(seenAlong(description, ray, 3), Color(1, 2, 3) * smoke.passed(ray), 1e-11,
+                    "What passes of the sky's light?");
+        description.lights.clear();
+        description.objects = {smoke.object(), plate(nullptr)};
+        expectColor(seenAlong(description, ray, 3), radiance * smoke.passed(ray), 1e-11, "A lamp scatters nothing.");
+        description.objects[1] = plate(std::make_shared<MirrorMaterial>(Color::Ones()));
+        expectColor(seenAlong(description, ray, 1), radiance * smoke.passed(ray), 1e-11,
+                    "What was gathered when the path is as long as it may be?");
+        description.objects[1] = plate(std::make_shared<MirrorMaterial>(Color::Zero()));
+        expectColor(seenAlong(description, ray, 9), radiance * smoke.passed(ray), 1e-11,
+                    "What was gathered when no lobe leads on?");
+        // And lit by a lamp, the nearest that light comes to it.
+        const Color albedo(0.8, 0.4, 0.6);
+        const Color intensity(3, 2, 5);
+        description.objects[1] = plate(std::make_shared<DiffuseMaterial>(albedo));
+        description.lights = {std::make_shared<PointLight>(ray.at(6.5) + 0.3 * s, intensity)};
+        const Real squared = 0.25 + 0.09;
+        const Color lit = albedo / pi * intensity * (0.5 / std::pow(squared, 1.5));
+        // One of two lamps is chosen at random each time; Sobol's numbers share them out evenly.
+        expectColor(seenAlong(description, ray, 3, 1024), (radiance + lit) * smoke.passed(ray), 0.01,
+                    "What was gathered before a surface's own light, and the light on it?");
+    }
+    // Into glass of index 1.5, in which a lamp hangs: radiance is smaller outside by the square of it.
+    SceneDescription description;
+    description.camera = alongX(view.origin);
+    description.objects = {
+        {std::make_shared<Plane>(Vec3::Zero(), Vec3::UnitZ()),
+         std::make_shared<RefractionMaterial>(Color::Zero(), Color(0.9, 0.5, 0.7)), Interior{1.5, nullptr, 0}, nullptr},
+        rectangleLamp({-9, -9, -1}, {18, 0, 0}, {0, 18, 0}, radiance)};
+    expectColor(seenAlong(description, {Vec3(0, 0, 2), Vec3(0.3, 0.2, -1).normalized()}, 3),
+                radiance * Color(0.9, 0.5, 0.7) / 2.25, 1e-9, "Is it radiance that comes along the path?");
 }
 
 // A point light beside two balls of fog, one behind the other: the second one's light comes through the first.
