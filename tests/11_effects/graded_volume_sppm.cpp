@@ -3,6 +3,7 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <vector>
 
 #include "camera/box_filter.h"
 #include "camera/pinhole_camera.h"
@@ -112,6 +113,33 @@ const Fog thick = {{2, 0.1, 0.2}, 1, {1.2, 0.1, 0.5}, {0.3, 0.2, 0.8}};
 const Fog thin = {{5, -0.2, 0.1}, 1.5, {0.1, 0.2, 0}, {0.2, 0.1, 0.3}};
 const Ray view = {Vec3::Zero(), Vec3::UnitX()};
 
+// Rays aslant, in several octants.
+std::vector<Ray> aslant() {
+    std::vector<Ray> rays;
+    for (const Vec3& way : {Vec3(0.6, 0.5, -0.7), Vec3(-0.8, 0.3, 0.4), Vec3(0.5, -0.7, 0.2)})
+        rays.push_back({Vec3(1, -2, 0.5), way.normalized()});
+    return rays;
+}
+
+const Color shine(4, 0.5, 7);
+
+// Smoke on the ray, which absorbs only.
+Fog smokeOn(const Ray& ray) { return {ray.at(3) + Vec3(0.1, 0.2, -0.1), 1, {1.2, 0.1, 0.5}, Color::Zero()}; }
+
+// That smoke, and behind it at t = 7 a plate across the ray, which shines towards it.
+SceneDescription smokeAndPlate(const Ray& ray, const std::shared_ptr<const Material>& material) {
+    const Vec3 s = ray.direction.unitOrthogonal();
+    const Vec3 t = ray.direction.cross(s);
+    SceneObject plate;
+    plate.shape = std::make_shared<Rectangle>(ray.at(7) - s - t, 2 * t, 2 * s);
+    plate.material = material;
+    plate.emission = std::make_shared<ConstantTexture>(shine);
+    SceneDescription description;
+    description.objects = {smokeOn(ray).object(), plate};
+    description.camera = alongX(view.origin);
+    return description;
+}
+
 // Environment and lamp behind coloured fog, in paths of one segment: what passes, exactly.
 TEST(VolumeSppm, DimsWhatLiesBehind) {
     SceneDescription description;
@@ -121,61 +149,15 @@ TEST(VolumeSppm, DimsWhatLiesBehind) {
     expectColor(seen(description, 1, 1), Color(1, 2, 3) * thick.passed(view), 1e-5, "What passes of the environment?");
     description.objects.push_back(rectangleLamp({9, -1, -1}, {0, 0, 2}, {0, 2, 0}, {4, 5, 6}));
     expectColor(seen(description, 1, 1), Color(4, 5, 6) * thick.passed(view), 1e-5, "What passes of the lamp's light?");
-}
-
-// Aslant, through smoke that absorbs only, to the last digits: a lamp that scatters nothing, the sky, and surfaces that
-// shine themselves, at which the path ends in each of the ways that it can.
-TEST(VolumeSppm, AddsWhatShinesWhereverThePathEnds) {
-    const Color radiance(4, 0.5, 7);
-    const auto shine = std::make_shared<ConstantTexture>(radiance);
-    for (const Vec3& aside : {Vec3(0.6, 0.5, -0.7), Vec3(-0.8, 0.3, 0.4), Vec3(0.5, -0.7, 0.2)}) {
-        const Ray ray = {Vec3(1, -2, 0.5), aside.normalized()};
-        const Fog smoke = {ray.at(3) + Vec3(0.1, 0.2, -0.1), 1, {1.2, 0.1, 0.5}, Color::Zero()};
-        const Vec3 s = ray.direction.unitOrthogonal();
-        const Vec3 t = ray.direction.cross(s);
-        // Across the ray, its front towards it.
-        const auto plate = [&](const std::shared_ptr<const Material>& material) {
-            SceneObject object;
-            object.shape = std::make_shared<Rectangle>(ray.at(7) - s - t, 2 * t, 2 * s);
-            object.material = material;
-            object.emission = shine;
-            return object;
-        };
-        SceneDescription description;
-        description.camera = alongX(view.origin);
-        description.objects = {smoke.object()};
-        description.lights = {std::make_shared<ConstantEnvironment>(Color(1, 2, 3))};
-        expectColor(seenAlong(description, ray, 3), Color(1, 2, 3) * smoke.passed(ray), 1e-11,
-                    "What passes of the sky's light?");
-        description.lights.clear();
-        description.objects = {smoke.object(), plate(nullptr)};
-        expectColor(seenAlong(description, ray, 3), radiance * smoke.passed(ray), 1e-11, "A lamp scatters nothing.");
-        description.objects[1] = plate(std::make_shared<MirrorMaterial>(Color::Ones()));
-        expectColor(seenAlong(description, ray, 1), radiance * smoke.passed(ray), 1e-11,
-                    "What was gathered when the path is as long as it may be?");
-        description.objects[1] = plate(std::make_shared<MirrorMaterial>(Color::Zero()));
-        expectColor(seenAlong(description, ray, 9), radiance * smoke.passed(ray), 1e-11,
-                    "What was gathered when no lobe leads on?");
-        // And lit by a lamp, the nearest that light comes to it.
-        const Color albedo(0.8, 0.4, 0.6);
-        const Color intensity(3, 2, 5);
-        description.objects[1] = plate(std::make_shared<DiffuseMaterial>(albedo));
-        description.lights = {std::make_shared<PointLight>(ray.at(6.5) + 0.3 * s, intensity)};
-        const Real squared = 0.25 + 0.09;
-        const Color lit = albedo / pi * intensity * (0.5 / std::pow(squared, 1.5));
-        // One of two lamps is chosen at random each time; Sobol's numbers share them out evenly.
-        expectColor(seenAlong(description, ray, 3, 1024), (radiance + lit) * smoke.passed(ray), 0.01,
-                    "What was gathered before a surface's own light, and the light on it?");
+    // Aslant, to the last digits, and there may be more segments than it takes.
+    for (const Ray& ray : aslant()) {
+        const Color passed = smokeOn(ray).passed(ray);
+        SceneDescription lamp = smokeAndPlate(ray, nullptr);
+        expectColor(seenAlong(lamp, ray, 3), shine * passed, 1e-11, "A lamp without a material scatters nothing.");
+        lamp.objects.pop_back();
+        lamp.lights = {std::make_shared<ConstantEnvironment>(Color(1, 2, 3))};
+        expectColor(seenAlong(lamp, ray, 3), Color(1, 2, 3) * passed, 1e-11, "What passes of the sky's light?");
     }
-    // Into glass of index 1.5, in which a lamp hangs: radiance is smaller outside by the square of it.
-    SceneDescription description;
-    description.camera = alongX(view.origin);
-    description.objects = {
-        {std::make_shared<Plane>(Vec3::Zero(), Vec3::UnitZ()),
-         std::make_shared<RefractionMaterial>(Color::Zero(), Color(0.9, 0.5, 0.7)), Interior{1.5, nullptr, 0}, nullptr},
-        rectangleLamp({-9, -9, -1}, {18, 0, 0}, {0, 18, 0}, radiance)};
-    expectColor(seenAlong(description, {Vec3(0, 0, 2), Vec3(0.3, 0.2, -1).normalized()}, 3),
-                radiance * Color(0.9, 0.5, 0.7) / 2.25, 1e-9, "Is it radiance that comes along the path?");
 }
 
 // A point light beside two balls of fog, one behind the other: the second one's light comes through the first.
@@ -209,6 +191,15 @@ TEST(VolumeSppm, GathersOverMirrors) {
     expectColor(seen(description, 3, 4096), tint * thin.scatteredOnce(second, lamp, intensity), 0.03,
                 "What has the mirror left of the path?");
     EXPECT_EQ(seen(description, 2, 16).maxCoeff(), 0) << "The way to the mirror is a segment, too.";
+    // Into glass of index 1.5, in which a lamp hangs: radiance is smaller outside by the square of it.
+    const Color passes(0.9, 0.5, 0.7);
+    description.lights.clear();
+    description.objects = {
+        {std::make_shared<Plane>(Vec3::Zero(), Vec3::UnitZ()),
+         std::make_shared<RefractionMaterial>(Color::Zero(), passes), Interior{1.5, nullptr, 0}, nullptr},
+        rectangleLamp({-9, -9, -1}, {18, 0, 0}, {0, 18, 0}, shine)};
+    expectColor(seenAlong(description, {Vec3(0, 0, 2), Vec3(0.3, 0.2, -1).normalized()}, 3), shine * passes / 2.25,
+                1e-9, "Is it radiance that comes along the path?");
 }
 
 // A diffuse wall behind fog that absorbs only: its light is dimmed on both ways, exactly.
@@ -229,6 +220,15 @@ TEST(VolumeSppm, DimsTheLightOfSurfaces) {
     const Color lit = albedo / pi * intensity * (-way.x() / std::pow(way.norm(), 3));
     expectColor(seen(description, 2, 4), smoke.passed(view) * lit, 1e-6,
                 "What has the smoke left on the way to the eye?");
+    // A wall that shines itself. One of two lamps is chosen at random each time; Sobol's numbers share them out evenly.
+    for (const Ray& ray : aslant()) {
+        SceneDescription shining = smokeAndPlate(ray, std::make_shared<DiffuseMaterial>(albedo));
+        const Vec3 from = -0.5 * ray.direction + 0.3 * ray.direction.unitOrthogonal();
+        shining.lights = {std::make_shared<PointLight>(ray.at(7) + from, intensity)};
+        const Color itsLight = albedo / pi * intensity * (0.5 / std::pow(from.norm(), 3));
+        expectColor(seenAlong(shining, ray, 3, 1024), (shine + itsLight) * smokeOn(ray).passed(ray), 0.01,
+                    "What was gathered before a surface's own light, and the light on it?");
+    }
 }
 
 // Two mirrors face each other; zigzag between them the path comes to a lamp with its third segment.
@@ -241,6 +241,13 @@ TEST(VolumeSppm, EndsWhenPathsGetTooLong) {
     description.camera = std::make_shared<PinholeCamera>(Vec3::Zero(), Vec3(1, 0, 1), Vec3::UnitZ(), 1e-6, 1, 1);
     expectColor(seen(description, 3, 1), {1, 2, 3}, 1e-9, "A path of three segments, of three that it may have?");
     EXPECT_EQ(seen(description, 2, 1).maxCoeff(), 0) << "Where does a path of two segments end?";
+    // Mirrors that shine themselves: what was gathered counts, though the path is as long as it may be, or is absorbed.
+    for (const Ray& ray : aslant()) {
+        const Color expected = shine * smokeOn(ray).passed(ray);
+        expectColor(seenAlong(smokeAndPlate(ray, mirror), ray, 1), expected, 1e-11, "A path of one segment, of one?");
+        const auto black = std::make_shared<MirrorMaterial>(Color::Zero());
+        expectColor(seenAlong(smokeAndPlate(ray, black), ray, 9), expected, 1e-11, "And where no lobe leads on?");
+    }
 }
 
 }  // namespace
