@@ -77,6 +77,9 @@ TEST(NearestPoints, SaysWhatIsTooFar) {
     nearest.offer({3, 1});
     nearest.offer({4, 2});
     EXPECT_EQ(nearest.mostSquared(), 7);
+    nearest.start(1, 50);
+    nearest.offer({0, 0.1});
+    EXPECT_EQ(nearest.mostSquared(), 0.1) << "To the last digit?";
 }
 
 // A plane that stands askew far from the origin, and where a ray meets it from one of its sides. The frame's n is ng.
@@ -144,6 +147,14 @@ TEST(Neighbours, TheNearestStandForADiscUpToTheNext) {
             expectDistances(map.neighbours(place.interaction(scene), {.nearest = k, .radius = 5 * size}), k,
                             0.1 * (k + 1), size, "Which photon's distance is the radius, and does it count itself?");
     }
+    const Place far = {100};
+    const Scene scene = far.scene();
+    // One lies just there, and the next one beside it: the disc has an area.
+    std::vector<Photon> there = spiral(far, 3);
+    there.push_back(photonAt(far.center(), far.frame().n, far.frame().n));
+    const auto atCenter = PhotonMap(there).neighbours(far.interaction(scene), {.nearest = 1, .radius = 500});
+    EXPECT_EQ(atCenter.photons.size(), 1U) << "The nearest one is just there: which disc is it?";
+    EXPECT_NEAR(std::sqrt(atCenter.squaredRadius) / 100, 0.1, 1e-9) << "The nearest one is just there: which disc?";
 }
 
 // With k or fewer within the radius, they stand for all of it.

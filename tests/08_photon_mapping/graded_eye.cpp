@@ -64,6 +64,10 @@ TEST(Eye, SeesDirectLightOnce) {
         expectSeen(found, expected, use == MapUse::Everything ? 0.12 : 1e-9,
                    "Is the light that comes straight from the lamp there, and there once?");
     }
+    const PhotonMapperSettings single = {
+        .photons = 1, .use = MapUse::Everything, .density = {.nearest = {}, .radius = 3}};
+    EXPECT_GT(seen(scene, single, {Vec3(4, 1, 0), (target - Vec3(4, 1, 0)).normalized()}, 1).minCoeff(), 0)
+        << "Is a map of one photon empty?";
 }
 
 // A cone of light is thrown onto the floor by a mirror: direct light finds nothing. The same lamp behind the mirror
@@ -86,6 +90,10 @@ TEST(Eye, SeesCausticsOnce) {
         const Color found = seen(scene, settings, {Vec3(2, 1, 0), (target - Vec3(2, 1, 0)).normalized()}, 20);
         expectSeen(found, expected, 0.2, "Is the light that a mirror brings there, and there once?");
     }
+    const PhotonMapperSettings single = {
+        .photons = 1, .use = MapUse::Indirect, .caustics = {.nearest = {}, .radius = 3}};
+    EXPECT_GT(seen(scene, single, {Vec3(2, 1, 0), (target - Vec3(2, 1, 0)).normalized()}, 1).minCoeff(), 0)
+        << "Is a map of one photon empty?";
 }
 
 // A closed room, its walls all alike and lit from its middle: in the mean they get E = Φ/(A (1 − ρ)). Far from edges

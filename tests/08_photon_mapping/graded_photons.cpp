@@ -197,6 +197,10 @@ TEST(Split, EachLobeGetsItsShare) {
     }
     EXPECT_EQ(up, 700) << "Does every photon go on by reflection?";
     EXPECT_EQ(down, 700) << "Does every photon go on by refraction?";
+    int unsplit = 0;
+    for (const Photon& photon : traced(scene, {.limits = {2, 9}, .splits = 0}, 700))
+        unsplit += std::abs(photon.point.y()) > 0.5;
+    EXPECT_LE(unsplit, 700) << "Without a split each goes one way. After how many vertices is none split any more?";
 }
 
 // A surface that spreads light sends a split photon on into one direction, with what it reflects.
