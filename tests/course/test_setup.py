@@ -11,7 +11,7 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
-from course_lib import packages
+from course_lib import cmake, packages
 from course_lib.errors import CourseError
 from course_lib.paths import ROOT
 from course_lib.process import Finished
@@ -143,6 +143,46 @@ class Script(unittest.TestCase):
             finished = self.run_course(STUB_TOOLS, *words)
             self.assertEqual(finished.returncode, 1)
             self.assertRegex(finished.stderr, "^course: .*" + pattern + ".*\n$")
+
+
+class Configured(unittest.TestCase):
+    """When a build folder is configured again. What is built without a package stays out until then."""
+
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        folder = Path(temporary.name)
+        self.ninja = folder / "build.ninja"
+        self.presets = folder / "presets"
+        self.installed = folder / "status"
+        for path in (self.presets, self.installed):
+            path.touch()
+            os.utime(path, (1000, 1000))
+        patched = mock.patch.object(cmake, "CONFIGURED_FROM", (self.presets, self.installed))
+        patched.start()
+        self.addCleanup(patched.stop)
+
+    def at(self, path, time):
+        path.touch()
+        os.utime(path, (time, time))
+        return cmake.configured_after(self.ninja)
+
+    def test_once_is_enough(self):
+        self.assertFalse(cmake.configured_after(self.ninja))
+        self.assertTrue(self.at(self.ninja, 2000))
+
+    def test_again_when_packages_came(self):
+        self.at(self.ninja, 2000)
+        self.assertFalse(self.at(self.installed, 3000), "Is what needs them built from now on?")
+        self.assertTrue(self.at(self.ninja, 4000))
+
+    def test_again_when_presets_changed(self):
+        self.at(self.ninja, 2000)
+        self.assertFalse(self.at(self.presets, 3000))
+
+    def test_other_systems_have_no_list_of_packages(self):
+        self.installed.unlink()
+        self.assertTrue(self.at(self.ninja, 2000))
 
 
 if __name__ == "__main__":

@@ -4,6 +4,7 @@ import json
 import os
 import re
 import sys
+from pathlib import Path
 
 from course_lib.errors import CourseError
 from course_lib.paths import ROOT, build_dir, cores
@@ -12,6 +13,9 @@ from course_lib.terminal import say
 
 # Errors are looked for in English; and ccache, which minds the language, shares what any of our builds compiled.
 ENGLISH = {**os.environ, "LC_ALL": "C"}
+# What a build folder was configured from beside the CMakeLists that ninja minds: the presets, and the packages that were
+# installed then. CMake leaves out what needs a package that isn't there, such as 09's program for several machines.
+CONFIGURED_FROM = (ROOT / "CMakePresets.json", Path("/var/lib/dpkg/status"))
 FIRST_ERROR = re.compile(r"^(.*?(?:\berror:|undefined reference).*)$", re.MULTILINE)
 
 
@@ -29,6 +33,13 @@ def cached(preset, variable):
     return found[1] if found else None
 
 
+def configured_after(ninja):
+    """Whether that file is there, and newer than what a build folder is configured from."""
+    if not ninja.exists():
+        return False
+    return all(ninja.stat().st_mtime > path.stat().st_mtime for path in CONFIGURED_FROM if path.exists())
+
+
 def configure(preset="release", variables=None):
     """Configures a preset unless that is done and nothing asks for it again (ninja notices changed CMakeLists)."""
     variables = variables or {}
@@ -37,7 +48,7 @@ def configure(preset="release", variables=None):
     home = cached(preset, "CMAKE_HOME_DIRECTORY")
     if preset not in preset_names():
         raise CourseError(f"there is no preset '{preset}'; there are {', '.join(preset_names())}")
-    if (ninja.exists() and home == str(ROOT) and ninja.stat().st_mtime > (ROOT / "CMakePresets.json").stat().st_mtime
+    if (configured_after(ninja) and home == str(ROOT)
             and all(cached(preset, name) == value for name, value in variables.items())):
         return
     # Python by its own path: CMake looks for it long, and may find a script before it that costs each call a tenth of a second.
@@ -50,6 +61,7 @@ def configure(preset="release", variables=None):
         first = re.search(r"CMake Error.*?\n\s*(\S.*)", finished.output)
         reason = first[1] if first else "see CMake's output above"
         raise CourseError(f"configuring preset {preset} failed: {reason}; ./course setup installs what is missing")
+    os.utime(ninja)  # CMake leaves it alone when it would be the same
 
 
 def build(preset="release", targets=(), title=None):
