@@ -49,8 +49,13 @@ class Sandbox(unittest.TestCase):
         secret = self.folder / "reference.cpp"
         secret.write_text("the solution")
         places = [secret, Path(__file__), Path.home(), "/root", "/home", "/var", "/etc/passwd", "/etc/shadow", "/sys", "/run"]
-        outcome = self.run_program(f"print([p for p in {list(map(str, places))!r} if os.path.exists(p)])" + PASSES)
-        self.assertEqual((outcome.state, outcome.output), ("passed", "[]\n"))
+        # Folders on the way to the program are there, when the tree lies in somebody's home, and hold that way alone.
+        way = {str(parent) for parent in self.folder.parents}
+        hidden = [str(place) for place in places if str(place) not in way]
+        above = [str(place) for place in places if str(place) in way]
+        outcome = self.run_program(f"print([p for p in {hidden!r} if os.path.exists(p)], "
+                                   f"[p for p in {above!r} if len(os.listdir(p)) > 1])" + PASSES)
+        self.assertEqual((outcome.state, outcome.output), ("passed", "[] []\n"))
 
     def test_nothing_but_its_tmp_can_be_written(self):
         places = [__file__, "/usr/x", "/x", "/etc/x", "/dev/x", "/dev/shm/x", "/lib/x", f"{self.folder}/x", f"{self.folder}/program"]
