@@ -75,32 +75,38 @@ std::shared_ptr<const Camera> alongX(const Vec3& from) {
     return std::make_shared<PinholeCamera>(from, from + Vec3::UnitX(), Vec3::UnitZ(), 1e-6, 1, 1);
 }
 
-// Without photons: what is seen, and direct light.
+// VolumeSppm without photons: what is seen, and direct light.
+struct Eye {
+    Eye(const SceneDescription& description, int mostSegments)
+        : scene(description), sppm(scene, sampler, filter, settingsFor(mostSegments)) {}
+
+    static VolumeSppmSettings settingsFor(int mostSegments) {
+        VolumeSppmSettings settings;
+        settings.limits.maxLength = mostSegments;
+        settings.photons = 0;
+        return settings;
+    }
+
+    Scene scene;
+    SobolSampler sampler{1};
+    BoxFilter filter;
+    VolumeSppm sppm;
+};
+
+// In the first pixel.
 Color seen(const SceneDescription& description, int mostSegments, std::int64_t paths) {
-    const Scene scene(description);
-    const SobolSampler sampler(1);
-    const BoxFilter filter;
-    VolumeSppmSettings settings;
-    settings.limits.maxLength = mostSegments;
-    settings.photons = 0;
-    VolumeSppm sppm(scene, sampler, filter, settings);
-    return render(sppm, {.passes = paths}).film.value({0, 0});
+    Eye eye(description, mostSegments);
+    return render(eye.sppm, {.passes = paths}).film.value({0, 0});
 }
 
-// The same of one ray, which needn't be a pixel's.
+// Along a ray, which needn't be a pixel's.
 Color seenAlong(const SceneDescription& description, const Ray& ray, int mostSegments, int paths = 1) {
-    const Scene scene(description);
-    const SobolSampler sampler(1);
-    const BoxFilter filter;
-    VolumeSppmSettings settings;
-    settings.limits.maxLength = mostSegments;
-    settings.photons = 0;
-    VolumeSppm sppm(scene, sampler, filter, settings);
-    render(sppm, {.passes = 1});
+    Eye eye(description, mostSegments);
+    render(eye.sppm, {.passes = 1});
     RayCounts counts;
     Color sum = Color::Zero();
     for (int i = 0; i < paths; ++i)
-        sum += sppm.Li(ray, scene.mediaAt(ray.origin), sampler.start(0, {0, 0}, i), counts) / paths;
+        sum += eye.sppm.Li(ray, eye.scene.mediaAt(ray.origin), eye.sampler.start(0, {0, 0}, i), counts) / paths;
     return sum;
 }
 

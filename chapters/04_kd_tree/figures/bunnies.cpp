@@ -30,8 +30,9 @@ void drawBunnies(FigureContext& context) {
                 const auto hit = shape.intersect(ray);
                 return hit ? plaster(*hit, -ray.direction) : paperColor();
             };
-            const Image image = supersampled(viewOf(shape.bounds(), Vec3(0.25, 0.3, 1)), tile, tile,
-                                             context.byQuality(2, 5), color, context.threads());
+            RayView view = viewOf(shape.bounds(), Vec3(0.25, 0.3, 1));
+            view.height *= 1.06;  // so that the feet stand above the edge
+            const Image image = supersampled(view, tile, tile, context.byQuality(2, 5), color, context.threads());
             const Vec2 corner(x, top + row * (tile + gap));
             drawing.image(image, {corner, corner + Vec2(tile, tile)});
             context.progress().advance();

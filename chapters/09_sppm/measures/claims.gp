@@ -5,7 +5,7 @@ array methods[2] = ["SPPM by pass ①", "SPPM by point ②"]
 array parts[2] = ["caustic", "dark"]
 array titles[2] = ["in the caustic: the brightest tenth of the pixels", "in the dark: the darkest half"]
 is(m, p) = strcol(1) eq methods[m] && setting_text(strcol(2), "part") eq parts[p]
-set multiplot layout 1,2 margins 0.07,0.98,0.12,0.82 spacing 0.09,0.1 title "The two rules, pass by pass" font ",20"
+set multiplot layout 1,2 margins 0.08,0.97,0.12,0.82 spacing 0.09,0.1 title "The two rules, pass by pass" font ",20"
 set datafile missing NaN
 set logscale xy
 set format y "10^{%L}"

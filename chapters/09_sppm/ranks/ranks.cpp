@@ -3,6 +3,7 @@
 #include <mpi.h>
 
 #include <chrono>
+#include <cstdio>
 #include <cstdlib>
 #include <limits>
 #include <stdexcept>
@@ -81,6 +82,9 @@ std::string Ranks::receive(int from) const {
 }
 
 void Ranks::abort(int exitCode) const {
+    // mpirun drops what it hasn't read yet of a rank's output when it is told to end the job.
+    std::fflush(nullptr);
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
     MPI_Abort(MPI_COMM_WORLD, exitCode);
     std::abort();  // MPI_Abort isn't declared as one that doesn't return
 }

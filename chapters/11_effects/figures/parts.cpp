@@ -17,7 +17,7 @@ void drawParts(FigureContext& context) {
                         const SobolSampler sampler(context.seed());
                         const TentFilter filter;
                         VolumeSppm sppm(scene, sampler, filter, finalSettings(context.byQuality(1 << 13, 1 << 16)));
-                        return developedFinal(renderImage(sppm, context.byQuality(4, 24), context));
+                        return developedFinal(renderImage(sppm, context.byQuality(4, 128), context));
                     }};
     };
     drawTiles({tile("before this chapter", {false, false, false, false, false}),
