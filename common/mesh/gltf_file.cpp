@@ -69,16 +69,24 @@ private:
     // 3.5.3: a matrix by columns, or translation, rotation (x y z w) and scale.
     Affine transformOf(const tinygltf::Node& node, int number) const {
         Affine transform = Affine::Identity();
-        if (!node.matrix.empty()) {
+        const auto given = [&](const std::vector<double>& values, const char* name, std::size_t size) {
+            if (!values.empty() && values.size() != size) {
+                fail("node " + std::to_string(number), std::string("has a ") + name + " of " +
+                                                           std::to_string(values.size()) + " numbers in place of " +
+                                                           std::to_string(size));
+            }
+            return !values.empty();
+        };
+        if (given(node.matrix, "matrix", 16)) {
             for (std::size_t i = 0; i < 16; ++i)
                 transform.matrix()(static_cast<Eigen::Index>(i % 4), static_cast<Eigen::Index>(i / 4)) = node.matrix[i];
         } else {
             const auto& t = node.translation;
             const auto& r = node.rotation;
             const auto& s = node.scale;
-            if (!t.empty()) transform.translate(Vec3(t[0], t[1], t[2]));
-            if (!r.empty()) transform.rotate(Eigen::Quaternion<Real>(r[3], r[0], r[1], r[2]).normalized());
-            if (!s.empty()) transform.scale(Vec3(s[0], s[1], s[2]));
+            if (given(t, "translation", 3)) transform.translate(Vec3(t[0], t[1], t[2]));
+            if (given(r, "rotation", 4)) transform.rotate(Eigen::Quaternion<Real>(r[3], r[0], r[1], r[2]).normalized());
+            if (given(s, "scale", 3)) transform.scale(Vec3(s[0], s[1], s[2]));
         }
         const bool affine = transform.matrix().row(3) == Eigen::RowVector4d(0, 0, 0, 1);
         if (!affine || !transform.matrix().allFinite())

@@ -94,6 +94,24 @@ const std::vector<Fault> faults = {
      "EXT_mesh_gpu_instancing"},
     {"a perspective matrix",
      [](Json& j) { j["nodes"][0]["matrix"] = {1, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}; }, "not affine"},
+    {"a matrix of 12", [](Json& j) { j["nodes"][0]["matrix"] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}; },
+     "a matrix of 12 numbers"},
+    {"a translation of 2",
+     [](Json& j) {
+         j["nodes"][0]["translation"] = {1.5, 2};
+     },
+     "a translation of 2 numbers"},
+    {"a rotation of 3",
+     [](Json& j) {
+         j["nodes"][0]["rotation"] = {0.5, 0.5, 0.5};
+     },
+     "a rotation of 3 numbers"},
+    {"a scale of 1", [](Json& j) { j["nodes"][0]["scale"] = {-1}; }, "a scale of 1 numbers"},
+    {"a scale of 4",
+     [](Json& j) {
+         j["nodes"][0]["scale"] = {1, 2, 3, 4};
+     },
+     "a scale of 4 numbers"},
     {"buffer of another size",
      [](Json& j) {
          j["buffers"] = {{{"byteLength", 99}, {"uri", "data:application/octet-stream;base64,AAAA"}}};
