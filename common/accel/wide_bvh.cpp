@@ -65,13 +65,16 @@ public:
         Range all;
         all.end = static_cast<std::uint32_t>(boxes_.size());
         for (const BuildBox& box : boxes_) all.extend(box);
-        bvh_.nodes_.reserve(boxes_.size() / 16 + 1);
+        branches_.reserve(boxes_.size() / 3 + 1);
+        Surfaces ignored;
+        branch(all, 0, ignored);
+        bvh_.nodes_.reserve(boxes_.size() / 24 + 1);
         bvh_.nodes_.emplace_back();
-        buildNode(0, all, 0);
+        fillNode(0, 0, 0);
     }
 
 private:
-    static constexpr int deepestSplit = 24;  // below it ranges are halved
+    static constexpr int deepestSplit = 64;  // below it ranges are halved
 
     struct Bin {
         Box box;
@@ -84,39 +87,105 @@ private:
         int bin = 0;
     };
 
-    // The depth is bounded, so the recursion is too.
-    void buildNode(std::uint32_t index, const Range& range, int depth) {
+    // A node of the binary tree that becomes the wide one, or a block of it.
+    struct Branch {
+        Box box;
+        std::uint32_t begin = 0;  // of a block's items
+        std::uint32_t end = 0;
+        std::uint32_t first = 0;  // the two parts of a node
+        std::uint32_t second = 0;
+        // Of so many places in the wide node above it, how many go to the first part.
+        std::array<std::uint8_t, WideBvh::width + 1> share{};
+        // With fewer places than that it is better off as a wide node of its own.
+        std::uint32_t opensFrom = 0;
+
+        bool block() const { return second == 0; }
+    };
+
+    // By the number of places that a branch gets in the wide node above it, from 1 on: the least sum of the surfaces of
+    // all wide nodes that it comes to. A ray meets a node the more often the larger its surface is. Blocks are the same
+    // whatever is done, so they don't count.
+    using Surfaces = std::array<float, WideBvh::width + 1>;
+
+    // Makes a binary tree of the range and returns the number of its root. The depth is bounded, so the recursion is
+    // too.
+    std::uint32_t branch(Range range, int depth, Surfaces& least) {
+        const auto index = static_cast<std::uint32_t>(branches_.size());
+        Branch& made = branches_.emplace_back();
+        made.box = range.box;
+        made.begin = range.begin;
+        made.end = range.end;
+        if (range.count() <= WideBvh::width) {
+            least = {};
+            return index;
+        }
+        const Range rest = splitOff(range, depth);
+        Surfaces first;
+        Surfaces second;
+        const std::uint32_t firstPart = branch(range, depth + 1, first);
+        const std::uint32_t secondPart = branch(rest, depth + 1, second);
+        branches_[index].first = firstPart;
+        branches_[index].second = secondPart;
+        share(branches_[index], first, second, least);
+        return index;
+    }
+
+    // Ylitie, Karras, Laine 2017, eq. 4 to 6.
+    static void share(Branch& branch, const Surfaces& first, const Surfaces& second, Surfaces& least) {
+        for (unsigned places = 2; places <= WideBvh::width; ++places) {
+            least[places] = infinity;
+            for (unsigned i = 1; i < places; ++i) {
+                const float both = first[i] + second[places - i];
+                if (both >= least[places]) continue;
+                least[places] = both;
+                branch.share[places] = static_cast<std::uint8_t>(i);
+            }
+        }
+        least[1] = branch.box.halfArea() + least[WideBvh::width];
+        branch.opensFrom = 2;
+        // More places never make it worse, so those that do not pay are the first ones.
+        while (branch.opensFrom <= WideBvh::width && least[branch.opensFrom] >= least[1]) {
+            least[branch.opensFrom++] = least[1];
+        }
+    }
+
+    struct Children {
+        std::array<std::uint32_t, WideBvh::width> branch;
+        std::uint32_t count = 0;
+    };
+
+    void place(std::uint32_t index, unsigned places, Children& children) const {
+        const Branch& branch = branches_[index];
+        if (branch.block() || places < branch.opensFrom) {
+            children.branch[children.count++] = index;
+            return;
+        }
+        open(branch, places, children);
+    }
+
+    void open(const Branch& branch, unsigned places, Children& children) const {
+        const unsigned first = branch.share[places];
+        place(branch.first, first, children);
+        place(branch.second, places - first, children);
+    }
+
+    void fillNode(std::uint32_t node, std::uint32_t root, int depth) {
         bvh_.depth_ = std::max(bvh_.depth_, depth + 1);
-        std::array<Range, WideBvh::width> children;
-        children[0] = range;
-        std::uint32_t count = 1;
-        while (count < WideBvh::width) {
-            Range* const widest = widestOf(children, count);
-            if (widest == nullptr) break;
-            children[count] = splitOff(*widest, depth);
-            ++count;
+        Children children;
+        if (branches_[root].block()) {
+            children.branch[children.count++] = root;
+        } else {
+            open(branches_[root], WideBvh::width, children);
         }
-        fillRows(index, children, count);
-        for (std::uint32_t i = 0; i < count; ++i) {
-            const std::uint32_t child =
-                children[i].count() <= WideBvh::width ? leaf(children[i]) : inner(children[i], depth + 1);
-            bvh_.nodes_[index].child[i] = child;
+        fillRows(node, children);
+        for (std::uint32_t i = 0; i < children.count; ++i) {
+            const Branch& child = branches_[children.branch[i]];
+            const std::uint32_t made = child.block() ? leaf(child) : inner(children.branch[i], depth + 1);
+            bvh_.nodes_[node].child[i] = made;
         }
     }
 
-    // The child to be split next: the one with the largest surface that is more than a block.
-    static Range* widestOf(std::array<Range, WideBvh::width>& children, std::uint32_t count) {
-        Range* widest = nullptr;
-        float area = -1;
-        for (std::uint32_t i = 0; i < count; ++i) {
-            if (children[i].count() <= WideBvh::width || children[i].box.halfArea() <= area) continue;
-            widest = &children[i];
-            area = widest->box.halfArea();
-        }
-        return widest;
-    }
-
-    std::uint32_t leaf(const Range& range) {
+    std::uint32_t leaf(const Branch& range) {
         const auto block = static_cast<std::uint32_t>(bvh_.blockItems_.size() / WideBvh::width);
         for (std::uint32_t i = range.begin; i < range.end; ++i) {
             bvh_.blockItems_.push_back(std::bit_cast<std::uint32_t>(boxes_[i].lower[3]));
@@ -125,15 +194,15 @@ private:
         return WideBvh::leafBit | block;
     }
 
-    std::uint32_t inner(const Range& range, int depth) {
-        const auto index = static_cast<std::uint32_t>(bvh_.nodes_.size());
+    std::uint32_t inner(std::uint32_t root, int depth) {
+        const auto node = static_cast<std::uint32_t>(bvh_.nodes_.size());
         bvh_.nodes_.emplace_back();
-        buildNode(index, range, depth);
-        return index;
+        fillNode(node, root, depth);
+        return node;
     }
 
     // A lane without a child gets a box that no ray meets.
-    void fillRows(std::uint32_t index, const std::array<Range, WideBvh::width>& children, std::uint32_t count) {
+    void fillRows(std::uint32_t index, const Children& children) {
         auto& node = bvh_.nodes_[index];
         for (unsigned row = 0; row < 3; ++row) {
             node.rows[row] = broadcast8(infinity);
@@ -141,10 +210,11 @@ private:
         }
         for (std::uint32_t i = 0; i < WideBvh::width; ++i) {
             node.child[i] = WideBvh::leafBit;
-            if (i >= count) continue;
+            if (i >= children.count) continue;
+            const Box& box = branches_[children.branch[i]].box;
             for (unsigned axis = 0; axis < 3; ++axis) {
-                node.rows[axis][i] = children[i].box.lower[axis] - treeRayPadding;
-                node.rows[axis + 3][i] = children[i].box.upper[axis] + treeRayPadding;
+                node.rows[axis][i] = box.lower[axis] - treeRayPadding;
+                node.rows[axis + 3][i] = box.upper[axis] + treeRayPadding;
             }
         }
     }
@@ -246,6 +316,7 @@ private:
 
     WideBvh& bvh_;
     std::vector<BuildBox> boxes_;
+    std::vector<Branch> branches_;
 };
 
 WideBvh::WideBvh(std::vector<BuildBox> boxes) {

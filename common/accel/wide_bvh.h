@@ -86,8 +86,8 @@ private:
     }
 
     static constexpr std::uint32_t leafBit = 0x80000000U;
-    // Seven may wait at each level. The builder halves below level 24, which ends 10 levels later: 2³⁰ items.
-    static constexpr int largestDepth = 36;
+    // Seven may wait at each level. The builder halves below level 64, which ends 27 levels later: 2³⁰ items in eights.
+    static constexpr int largestDepth = 92;
     static constexpr int stackSize = 7 * largestDepth + 1;
 
     std::vector<Node> nodes_;
