@@ -33,8 +33,9 @@ private:
 /// A ray on its way through a mesh's tree: it starts where it enters the mesh's box, however far away that is.
 class MeshRay {
 public:
+    // Always part of the loop's own function: 2 % more rays.
     /// @param ray  of any length
-    MeshRay(const MeshSpace& space, const Ray& ray);
+    [[gnu::always_inline]] MeshRay(const MeshSpace& space, const Ray& ray);
 
     /// Whether the ray comes from so far away that its place in the tree isn't sure to a float's precision: from more
     /// than 2²⁰ sizes of the mesh. The caller has to look at all triangles then.
