@@ -152,6 +152,36 @@ TEST(MeshTrees, KeepFloatsOnlyWhereNothingIsLost) {
     }
 }
 
+// Each triangle half as large as the one before, all towards one corner: no plane halves what is left.
+TEST(MeshTrees, AgreeWhereTrianglesShrinkTowardsACorner) {
+    MeshData shrinking;
+    Random maker(17, {0});
+    for (std::uint32_t i = 0; i < 500; ++i) {
+        for (int corner = 0; corner < 3; ++corner) {
+            shrinking.positions.push_back(std::exp2(-0.5 * i) * (Vec3(1, 1, 1) + 0.9 * inCube(maker)));
+        }
+        shrinking.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+    }
+    const auto mesh = std::make_shared<const MeshData>(std::move(shrinking));
+    const auto brute = plantMeshTree(MeshTreeKind::BruteForce, mesh);
+    for (const MeshTreeKind kind : allMeshTrees) {
+        const auto tree = plantMeshTree(kind, mesh);
+        int hits = 0;
+        for (std::uint64_t i = 0; i < 3000; ++i) {
+            Random random(18, {i});
+            const auto [a, b, c] = mesh->corners(static_cast<std::uint32_t>(i) % 500);
+            const Vec3 aim = 0.5 * a + 0.3 * b + 0.2 * c;
+            const Vec3 origin = aim + (b - a).norm() * inCube(random);
+            const Ray ray = {origin, aim - origin};
+            const auto truth = brute->intersect(ray);
+            hits += truth ? 1 : 0;
+            ASSERT_TRUE(agree(tree->intersect(ray), truth)) << name(kind) << ", ray " << i;
+            ASSERT_EQ(tree->occluded(ray), truth.has_value()) << name(kind) << ", ray " << i;
+        }
+        EXPECT_GT(hits, 2900) << name(kind);
+    }
+}
+
 // From a million sizes away, and farther than where floats can tell where a ray enters.
 TEST(MeshTrees, AgreeForRaysFromVeryFar) {
     const auto mesh = std::make_shared<const MeshData>(bumpySphere(500));
