@@ -287,17 +287,42 @@ void measure(const std::string& name, const std::string& file, int side, int rou
     }
 }
 
+template <typename Structure>
+void shoot(const Structure& structure, const std::vector<RaySet>& sets, int rounds) {
+    for (int i = 0; i < rounds; ++i) {
+        for (const RaySet& set : sets) keep(secondsOf(structure, set));
+    }
+}
+
+// Shoots all sets so many times at one structure, for whoever counts instructions.
+void shootAt(const std::string& structure, const std::string& file, int side, int rounds) {
+    const auto mesh = std::make_shared<const MeshData>(scene(file));
+    const auto sets = raySets(*plantMeshTree(MeshTreeKind::WideBvh, mesh), *mesh, side);
+    for (const MeshTreeKind kind : {MeshTreeKind::SahKdTree, MeshTreeKind::WideKdTree, MeshTreeKind::WideBvh}) {
+        if (structure == name(kind)) return shoot(*plantMeshTree(kind, mesh), sets, rounds);
+    }
+    const std::unique_ptr<RTCDeviceTy, void (*)(RTCDevice)> device(rtcNewDevice("threads=1,set_affinity=0"),
+                                                                   rtcReleaseDevice);
+    shoot(EmbreeScene(device.get(), *mesh), sets, rounds);
+}
+
 }  // namespace
 }  // namespace caustic
 
 // rays OUT.csv SIDE ROUNDS (NAME FILE)...
+// rays --shoot STRUCTURE SIDE ROUNDS FILE
 int main(int argc, char** argv) {
     using namespace caustic;
     try {
+        const std::vector<std::string> words(argv + 1, argv + argc);
+        if (words.at(0) == "--shoot") {
+            shootAt(words.at(1), words.at(4), static_cast<int>(parseInteger(words.at(2)).value()),
+                    static_cast<int>(parseInteger(words.at(3)).value()));
+            return 0;
+        }
         CsvTable table({"mesh", "triangles", "structure", "rays", "count", "megarays_per_second",
                         "embree_megarays_per_second", "ratio", "differences", "build_seconds", "build_ratio",
                         "bytes_per_triangle", "embree_bytes_per_triangle", "references_per_triangle"});
-        const std::vector<std::string> words(argv + 1, argv + argc);
         const int side = static_cast<int>(parseInteger(words.at(1)).value());
         const int rounds = static_cast<int>(parseInteger(words.at(2)).value());
         for (std::size_t i = 3; i + 1 < words.size(); i += 2) measure(words[i], words[i + 1], side, rounds, table);
