@@ -1,9 +1,11 @@
 """libFuzzer on the SVG, OBJ, PLY, STL and glTF readers, under the address and undefined-behaviour sanitizers: nothing may be found.
 
-Ten minutes each; --seconds N takes another time, --reader NAME one of them. What is new to a reader joins its corpus, which is committed. A find is left in
-build/fuzz/ and its file is named.
+Ten minutes each; --seconds N takes another time, --reader NAME one of them. What is new to a reader joins its corpus, which is committed: the fewest files
+that reach all edges of its code. A find is left in build/fuzz/ and its file is named.
 """
 
+import re
+import shutil
 import subprocess
 from collections import namedtuple
 from pathlib import Path
@@ -73,10 +75,24 @@ def fuzz(target, seconds):
         finds = [line for line in lines if "ERROR" in line or "runtime error" in line or "Test unit written" in line]
         say("\n".join(finds[:5]))
         return False
-    merge = [executable, "-merge=1", "-max_len=2048", corpus, grown]
-    subprocess.run(merge, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    keep_fewest(executable, corpus, grown)
     say(f"{target.name}: {len(list(corpus.iterdir()))} files in {shown(corpus)}")
     return True
+
+
+def keep_fewest(executable, corpus, grown):
+    """Puts the files that reach all edges in place of those that earlier runs made; files with a name stay."""
+    fewest = FOLDER / f"fewest_{corpus.name}"
+    shutil.rmtree(fewest, ignore_errors=True)
+    fewest.mkdir()
+    merge = [executable, "-set_cover_merge=1", "-use_counters=0", "-max_len=2048", fewest, corpus, grown]
+    if subprocess.run(merge, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode != 0:
+        raise CourseError(f"{executable.name} can't merge; {shown(corpus)} is as it was")
+    for file in corpus.iterdir():
+        if re.fullmatch("[0-9a-f]{40}", file.name):
+            file.unlink()
+    for file in fewest.iterdir():
+        shutil.copy(file, corpus)
 
 
 def main():
