@@ -142,7 +142,10 @@ TEST(HashGrid, AsksFromOutsideToo) {
     EXPECT_TRUE(visited(grid, {50, 60, 70}, 0.1).empty());
 
     EXPECT_TRUE(visited(HashGrid(std::vector<Vec3>{}, 0.2), {1, 2, 3}, 5).empty()) << "No point is in an empty grid.";
-    EXPECT_TRUE(visited(grid, wall[0], -0.1).empty()) << "Nothing is within a negative radius.";
+    for (const Vec3& point : wall) {
+        ASSERT_TRUE(visited(grid, point, -0.01).empty() && visited(grid, point, -0.1).empty())
+            << "Nothing is within a negative radius, wherever in its cube the point lies.";
+    }
     const Real nan = std::numeric_limits<Real>::quiet_NaN();
     const Real infinite = std::numeric_limits<Real>::infinity();
     EXPECT_TRUE(visited(grid, wall[0], nan).empty());
