@@ -130,7 +130,7 @@ private:
         return index;
     }
 
-    // Ylitie, Karras, Laine 2017, eq. 4 to 6.
+    // C(n, i) of Ylitie, Karras, Laine 2017: as a node of its own, or shared out to both parts.
     static void share(Branch& branch, const Surfaces& first, const Surfaces& second, Surfaces& least) {
         for (unsigned places = 2; places <= WideBvh::width; ++places) {
             least[places] = infinity;

@@ -23,8 +23,10 @@ struct BuildBox {
 /// Bounding volume hierarchy with eight children a node, tested at once: the modern rival of the KD-tree. It sorts
 /// items instead of cutting space, so each item is in one leaf; in return the boxes of neighbours overlap.
 ///
-/// Built by the surface area heuristic over 16 to 128 bins (Wald 2007): a node's widest child is split until there are
-/// eight (Wald, Benthin, Boulos 2008). A leaf is one block of at most eight items. All coordinates are in [-1, 1] (see
+/// Built as a binary tree first, by the surface area heuristic over 16 to 128 bins (Wald 2007), down to leaves of one
+/// block of at most eight items. Then those of its branches become the children of wide nodes for which all nodes
+/// together have the least surface: a ray meets a node the more often the larger it is (Ylitie, Karras, Laine 2017,
+/// Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs). All coordinates are in [-1, 1] (see
 /// TreeRay).
 class WideBvh {
 public:

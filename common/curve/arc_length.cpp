@@ -37,6 +37,15 @@ private:
     Real largest_ = 0;
 };
 
+// A part of a curve as it was measured. Pieces are sorted by their errors.
+struct Piece {
+    Real from;
+    Real to;
+    Real length;
+    Real error;
+    bool operator<(const Piece& other) const { return error < other.error; }
+};
+
 void checkRange(Real from, Real to) {
     checkArgument(from >= 0 && from <= 1, "from", formatReal(from), "must lie in [0, 1]");
     checkArgument(to >= from && to <= 1, "to", formatReal(to), "must lie between from and 1");
@@ -62,13 +71,6 @@ LengthEstimate gaussLength(const BezierCurve& curve, Real tolerance, Real from, 
     //! [ex-01.5]
     checkPositive(tolerance, "tolerance");
     checkRange(from, to);
-    struct Piece {
-        Real from;
-        Real to;
-        Real length;
-        Real error;
-        bool operator<(const Piece& other) const { return error < other.error; }
-    };
     const Velocity velocity(curve);
     const GaussRule rule = gaussLegendreRule(std::max(16, curve.degree()));
     int evaluations = 0;

@@ -23,8 +23,8 @@ struct LengthEstimate {
 /// Length of the curve between two parameters by adaptive Gauss–Legendre quadrature of |B'(t)|.
 ///
 /// The error is a proven bound, not a guess: cusps, loops and zero length included. It is at most `tolerance`, unless
-/// rounding forbids that (the bound tells); the search ends all the same, after some thousand pieces at most. 0 when
-/// from = to. Right for curves of any size.
+/// rounding forbids that (the bound tells); the search ends all the same, after some thousand pieces at most. A
+/// generous tolerance takes few evaluations. 0 when from = to. Right for curves of any size.
 /// @param tolerance  largest error wanted, in the control points' unit; greater than 0
 /// @param from,to    0 <= from <= to <= 1
 /// @throws InputError when tolerance, from or to is out of its domain

@@ -43,6 +43,73 @@ TEST(TriangleClip, HoldsAllThatIsInTheCell) {
     }
 }
 
+// All corners of what is in both, whichever way round: the triangle's corners, where its edges cross the cell's faces,
+// and where the cell's edges cross the triangle. No polygon is cut.
+Bounds3 cornersInBoth(const std::array<Vec3, 3>& triangle, const Bounds3& cell) {
+    const Vec3 rounding = 1e-9 * cell.sizes();
+    const Bounds3 padded(cell.min() - rounding, cell.max() + rounding);
+    Bounds3 found;
+    const auto take = [&](const Vec3& point) {
+        if (padded.contains(point)) found.extend(point);
+    };
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Vec3 from = triangle[i];
+        const Vec3 way = triangle[(i + 1) % 3] - from;
+        take(from);
+        for (int axis = 0; axis < 3; ++axis) {
+            for (const Real face : {cell.min()[axis], cell.max()[axis]}) {
+                const Real t = (face - from[axis]) / way[axis];
+                if (t >= 0 && t <= 1) take(from + t * way);
+            }
+        }
+    }
+    const Vec3 u = triangle[1] - triangle[0];
+    const Vec3 v = triangle[2] - triangle[0];
+    const Vec3 normal = u.cross(v);
+    for (int axis = 0; axis < 3; ++axis) {
+        for (int corner = 0; corner < 4; ++corner) {
+            Vec3 from = cell.min();
+            if ((corner & 1) != 0) from[(axis + 1) % 3] = cell.max()[(axis + 1) % 3];
+            if ((corner & 2) != 0) from[(axis + 2) % 3] = cell.max()[(axis + 2) % 3];
+            from[axis] += normal.dot(triangle[0] - from) / normal[axis];
+            const Vec3 inside = from - triangle[0];
+            const Real b1 = inside.cross(v).dot(normal) / normal.squaredNorm();
+            const Real b2 = u.cross(inside).dot(normal) / normal.squaredNorm();
+            if (b1 >= -1e-9 && b2 >= -1e-9 && b1 + b2 <= 1 + 1e-9) take(from);
+        }
+    }
+    return found;
+}
+
+TEST(TriangleClip, IsAsTightAsTheCornersOfWhatIsInBoth) {
+    int some = 0;
+    for (std::uint64_t i = 0; i < 4000; ++i) {
+        Random random(2, {i});
+        const Real scale = std::array<Real, 3>{1, 1e-6, 1e6}[i % 3];
+        const Vec3 far = i % 2 == 0 ? Vec3(0.3, -0.2, 0.1) : Vec3(-20, 7, 30);
+        const auto placed = [&](const Vec3& p) -> Vec3 { return scale * (p + far); };
+        const std::array<Vec3, 3> corners = {placed(2 * inCube(random)), placed(2 * inCube(random)),
+                                             placed(2 * inCube(random))};
+        const Vec3 center = inCube(random);
+        const Bounds3 cell(placed(center - Vec3(0.4, 0.5, 0.6)), placed(center + Vec3(0.6, 0.5, 0.4)));
+        const Bounds3 expected = cornersInBoth(corners, cell);
+        const Bounds3 box = clippedTriangleBounds(corners[0], corners[1], corners[2], cell);
+        if (expected.isEmpty() || box.isEmpty()) {
+            // They may just touch.
+            ASSERT_TRUE(expected.isEmpty() ? box.isEmpty() || box.sizes().maxCoeff() < 1e-6 * scale
+                                           : expected.sizes().maxCoeff() < 1e-6 * scale)
+                << "triangle " << i << ": is a part inside or not?";
+            continue;
+        }
+        ++some;
+        ASSERT_LT((box.min() - expected.min()).cwiseAbs().maxCoeff(), 1e-6 * scale)
+            << "triangle " << i << ": are all six faces of the cell cut off, and only the polygon's own corners kept?";
+        ASSERT_LT((box.max() - expected.max()).cwiseAbs().maxCoeff(), 1e-6 * scale)
+            << "triangle " << i << ": are all six faces of the cell cut off, and only the polygon's own corners kept?";
+    }
+    ASSERT_GT(some, 1000);
+}
+
 // A box has to be tight to be of use. The triangle x + y + z = 1 in a corner cell, by hand.
 TEST(TriangleClip, IsTightAndEmptyBesideTheTriangle) {
     const Vec3 a = Vec3::UnitX();
@@ -101,19 +168,25 @@ TEST(InterpolatedNormal, StaysOnTheFacesSideAndFallsBackToIt) {
     const Vec3 back = interpolatedNormal(mesh, {{1, 0.3, 0.3}, 0}, -Vec3::UnitZ());
     EXPECT_GT(front.z(), 0);
     EXPECT_EQ(back, -front) << "ns is on the side of ng.";
-    const Vec3 ng(-0.36, 0.48, -0.8);
-    mesh.normals[1] = Vec3::Zero();
-    EXPECT_EQ(interpolatedNormal(mesh, {{1, 0.3, 0.3}, 0}, ng), ng) << "A corner has no normal.";
-    mesh.normals = {Vec3::UnitX(), -Vec3::UnitX(), Vec3::UnitX()};
-    EXPECT_EQ(interpolatedNormal(mesh, {{1, 0.5, 0}, 0}, ng), ng) << "The normals cancel.";
-    mesh = oneTriangle();
-    for (std::size_t corner = 0; corner < 3; ++corner) {
-        mesh.normalCorners = {{0, 1, 2}};
-        mesh.normalCorners[0][corner] = MeshData::none;
-        EXPECT_EQ(interpolatedNormal(mesh, {{1, 0.3, 0.3}, 0}, ng), ng) << "A corner names none.";
+    for (int octant = 0; octant < 8; ++octant) {
+        const Vec3 ng(octant & 1 ? -0.36 : 0.36, octant & 2 ? -0.48 : 0.48, octant & 4 ? -0.8 : 0.8);
+        mesh = oneTriangle();
+        const Vec3 smooth = interpolatedNormal(mesh, {{1, 0.3, 0.3}, 0}, ng);
+        EXPECT_EQ(smooth, ng.dot(front) < 0 ? back : front) << "Seen from " << ng.transpose();
+        mesh.normals[1] = Vec3::Zero();
+        EXPECT_EQ(interpolatedNormal(mesh, {{1, 0.3, 0.3}, 0}, ng), ng) << "A corner has no normal.";
+        mesh.normals = {Vec3::UnitX(), -Vec3::UnitX(), Vec3::UnitX()};
+        EXPECT_EQ(interpolatedNormal(mesh, {{1, 0.5, 0}, 0}, ng), ng) << "The normals cancel.";
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            mesh = oneTriangle();
+            mesh.normalCorners[0][corner] = MeshData::none;
+            EXPECT_EQ(interpolatedNormal(mesh, {{1, 0.3, 0.3}, 0}, ng), ng) << "A corner names none.";
+        }
+        MeshData bare;
+        bare.positions = mesh.positions;
+        bare.triangles = mesh.triangles;
+        EXPECT_EQ(interpolatedNormal(bare, {{1, 0.3, 0.3}, 0}, ng), ng) << "The mesh has none.";
     }
-    mesh.normalCorners.clear();
-    EXPECT_EQ(interpolatedNormal(mesh, {{1, 0.3, 0.3}, 0}, ng), ng) << "The mesh has none.";
 }
 
 // A pyramid's corner: three faces, of which one is cut into two. Unit normals of the three planes are the axes.
@@ -197,12 +270,14 @@ TEST(ObjIndex, CountsFromBothEnds) {
     EXPECT_EQ(objIndex(-1, 5), 4U) << "-1 is the latest one.";
     EXPECT_EQ(objIndex(-5, 5), 0U);
     EXPECT_EQ(objIndex(7, 5), 6U) << "A face may come before its vertices.";
+    EXPECT_EQ(objIndex(4'294'967'294LL, 5), 4'294'967'293U) << "The last one that is told from MeshData::none.";
 }
 
 TEST(ObjIndex, RefusesWhatNamesNothing) {
     EXPECT_EQ(objIndex(0, 5), std::nullopt) << "There is no 0.";
     EXPECT_EQ(objIndex(-6, 5), std::nullopt) << "That is before the first one.";
     EXPECT_EQ(objIndex(-1, 0), std::nullopt);
+    EXPECT_EQ(objIndex(4'294'967'295LL, 5), std::nullopt) << "Which index is MeshData::none?";
     EXPECT_EQ(objIndex(5'000'000'000LL, 5), std::nullopt) << "That does not fit into 32 bits.";
 }
 

@@ -91,6 +91,29 @@ TEST(Triangulated, KeepsTheWayRoundAndEndsAlways) {
     const Corners eight = {Vec3(-6, 3, 0),  Vec3(-6, -3, 0),  Vec3(3, 1.5, 0),
                            Vec3(4, 0.5, 0), Vec3(4, -0.5, 0), Vec3(3, -1.5, 0)};
     EXPECT_EQ(triangulated(eight).size(), 4U) << "What is cut off where no corner is an ear?";
+    // Whatever is cut off, the triangles' signed areas sum to the polygon's, and every corner is in some triangle.
+    for (std::uint64_t i = 0; i < 600; ++i) {
+        Random random(14, {i});
+        Corners corners;
+        for (std::size_t k = 0; k < 4 + i % 9; ++k)
+            corners.push_back(Vec3(random.uniform(-3, 3), random.uniform(-2, 2), 0));
+        Real twice = 0;
+        for (std::size_t k = 0; k < corners.size(); ++k)
+            twice += corners[k].cross(corners[(k + 1) % corners.size()]).z();
+        const auto triangles = triangulated(corners);
+        ASSERT_EQ(triangles.size(), corners.size() - 2);
+        Real sum = 0;
+        std::vector<bool> used(corners.size(), false);
+        for (const auto& triangle : triangles) {
+            for (const std::uint32_t corner : triangle) {
+                ASSERT_LT(corner, corners.size()) << "Which corner follows the last one?";
+                used[corner] = true;
+            }
+            sum += 2 * Placement(0).areaOf(corners, triangle);
+        }
+        ASSERT_NEAR(sum, twice, 1e-12) << "polygon " << i << ": which corner was cut off, and is the ring closed?";
+        ASSERT_TRUE(std::ranges::all_of(used, [](bool one) { return one; })) << "polygon " << i;
+    }
     const Corners point(6, Vec3::Ones());
     EXPECT_EQ(triangulated(point).size(), 4U) << "A polygon without area must not stop the reader.";
 }

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -119,6 +121,110 @@ TEST(Traversal, LosesNothingInPlanesOfTheTree) {
             if (slabInterval(boxes[k], ray).empty()) continue;
             ASSERT_TRUE(tested[k])
                 << "A ray in a plane belongs to both sides: is slack added before a side is left out?";
+        }
+    }
+}
+
+// How a ray's way through a node's cell should be judged: surely met, surely not, or too close to tell.
+enum class Meeting { No, Close, Yes };
+
+struct Cells {
+    std::vector<Bounds3> boxes;  // of the nodes
+    std::vector<Meeting> meetings;
+
+    Cells(const KdTree& tree, const Ray& ray, Real margin) : boxes(tree.nodes().nodes.size()) {
+        const auto& nodes = tree.nodes().nodes;
+        boxes[0] = tree.nodes().box;
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            if (!nodes[i].isLeaf()) {
+                const auto axis = static_cast<int>(nodes[i].axis);
+                boxes[nodes[i].first] = boxes[nodes[i].first + 1] = boxes[i];
+                boxes[nodes[i].first].max()[axis] = nodes[i].plane;
+                boxes[nodes[i].first + 1].min()[axis] = nodes[i].plane;
+            }
+            const Vec3 by = Vec3::Constant(margin);
+            const Bounds3 smaller(boxes[i].min() + by, boxes[i].max() - by);
+            const Bounds3 larger(boxes[i].min() - by, boxes[i].max() + by);
+            const bool sure = !smaller.isEmpty() && !slabInterval(smaller, ray).empty();
+            const bool possible = !slabInterval(larger, ray).empty();
+            meetings.push_back(sure ? Meeting::Yes : possible ? Meeting::Close : Meeting::No);
+        }
+    }
+};
+
+// Children come after their parents. Most rays are aimed at an edge of some cell, and pass it by a hundred millionth.
+TEST(Traversal, VisitsTheCellsThatTheRayPassesAndNoOthers) {
+    for (std::uint64_t seed = 0; seed < 6; ++seed) {
+        const Real scale = std::array<Real, 3>{1, 1e-6, 1e6}[seed % 3];
+        std::vector<Bounds3> items = randomBoxes(seed, 80, 0.2);
+        for (Bounds3& box : items) box = {scale * box.min(), scale * box.max()};
+        const KdTree tree = treeOf(items);
+        const auto& nodes = tree.nodes().nodes;
+        const std::vector<Bounds3> boxes = Cells(tree, {Vec3::Zero(), Vec3::UnitX()}, 0).boxes;
+        for (std::uint64_t i = 0; i < 400; ++i) {
+            Random random(seed, {2, i});
+            const Bounds3& some = boxes[random.below(boxes.size())];
+            Vec3 aim = some.corner(static_cast<Bounds3::CornerType>(random.below(8))) + 1e-8 * scale * inCube(random);
+            aim.x() = random.uniform(some.min().x(), some.max().x());
+            Ray ray = {3 * scale * inCube(random), {}};
+            ray.direction = (aim - ray.origin) * random.uniform(0.1, 2);
+            if (i % 4 == 0) ray.tMax = random.uniform(0.2, 1) / (ray.direction.norm() / (aim - ray.origin).norm());
+            const Cells cells(tree, ray, 1e-12 * scale);
+            std::vector<bool> visited(nodes.size(), false);
+            std::vector<Real> entries;
+            Ray whole = ray;
+            tree.traverse(
+                whole, [](std::uint32_t) { return false; },
+                [&](const KdNode<Real>& node) {
+                    const auto index = static_cast<std::size_t>(&node - nodes.data());
+                    ASSERT_LT(index, nodes.size()) << "Which cell comes off an empty stack?";
+                    visited[index] = true;
+                    if (node.isLeaf() && cells.meetings[index] == Meeting::Yes)
+                        entries.push_back(slabInterval(cells.boxes[index], ray).lower);
+                });
+            for (std::size_t k = 0; k < nodes.size(); ++k) {
+                if (cells.meetings[k] == Meeting::Close) continue;
+                ASSERT_EQ(visited[k], cells.meetings[k] == Meeting::Yes)
+                    << "Ray " << i << (visited[k] ? " visits a cell beside its way." : " leaves a cell of its way out.")
+                    << " Where does the ray enter and leave each child's cell, and is onNode called for each?";
+            }
+            for (std::size_t k = 1; k < entries.size(); ++k)
+                ASSERT_GE(entries[k], entries[k - 1] * (1 - 1e-9)) << "Which of the cells that wait comes first?";
+        }
+    }
+}
+
+// A ray that ends half a slack before it crosses the root's plane, from the start or by what a test found, is within
+// the slack of the plane: on both sides.
+TEST(Traversal, IsOnBothSidesWithinTheSlack) {
+    for (std::uint64_t i = 0; i < 400; ++i) {
+        Random random(9, {i});
+        const KdTree tree = treeOf(randomBoxes(i, 30, 0.1));
+        const KdNode<Real>& root = tree.nodes().nodes[0];
+        const Bounds3& box = tree.nodes().box;
+        // Through the plane, somewhere in the box.
+        Vec3 aim = box.min() + Vec3(random.uniform(), random.uniform(), random.uniform()).cwiseProduct(box.sizes());
+        aim[static_cast<int>(root.axis)] = root.plane;
+        Ray whole = {3 * inCube(random), {}};
+        whole.direction = aim - whole.origin;
+        const KdRay kdRay(whole, box);
+        const Real end = kdRay.crossing(root.plane, root.axis) - kdRay.slack[root.axis] / 2;
+        for (const bool fromTheStart : {true, false}) {
+            Ray ray = whole;
+            if (fromTheStart) ray.tMax = end;
+            std::array<bool, 2> visited = {false, false};
+            tree.traverse(
+                ray,
+                [&](std::uint32_t) {
+                    ray.tMax = std::min(ray.tMax, end);
+                    return false;
+                },
+                [&](const KdNode<Real>& node) {
+                    for (std::uint32_t side = 0; side < 2; ++side)
+                        visited[side] = visited[side] || &node == &tree.nodes().nodes[root.first + side];
+                });
+            ASSERT_TRUE(visited[0] && visited[1])
+                << "Is the slack taken off a crossing before the far side is left out, and before it waits?";
         }
     }
 }
