@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/not_implemented.h"
 #include "integrator/path_limits.h"
 #include "integrator/roulette.h"
 #include "integrator/scatter.h"
@@ -83,7 +84,7 @@ inline std::optional<BsdfSample> leaveVertex(WalkState& path, const Interaction&
 template <typename Visitor>
 void walk(const Scene& scene, WalkState path, TransportMode mode, const PathLimits& limits, const PathNumbers& numbers,
           RayCounts& counts, Visitor& visitor) {
-    //! [walk]
+    //! [ex-07.9]
     for (;;) {
         Color weight;
         const std::optional<Interaction> at = scene.follow(path.ray, path.media, weight, numbers, path.length, counts);
@@ -95,7 +96,7 @@ void walk(const Scene& scene, WalkState path, TransportMode mode, const PathLimi
         if (!sample) return;
         visitor.scattered(*at, *sample);
     }
-    //! [walk]
+    //! [ex-07.9]
 }
 
 }  // namespace caustic

@@ -3,12 +3,16 @@
 #include <cmath>
 #include <memory>
 #include <set>
+#include <vector>
 
 #include "integrator/roulette.h"
 #include "integrator/scatter.h"
+#include "integrator/walk.h"
 #include "material/mirror_material.h"
 #include "material/phong_material.h"
 #include "material/refraction_material.h"
+#include "shape/rectangle.h"
+#include "support/coloured_fog.h"
 #include "support/recording_sampler.h"
 #include "texture/constant_texture.h"
 #include "vertex_scenes.h"
@@ -166,6 +170,171 @@ TEST(Roulette, SparesWhatCarriesMuch) {
             ASSERT_TRUE(survivor) << "Does it ask the largest channel?";
             EXPECT_EQ(*survivor, 1) << "Is a probability above 1 taken for one?";
         }
+    }
+}
+
+// Writes down what a walk tells, and ends it at a vertex of one's choice.
+class Diary {
+public:
+    struct Entry {
+        Vec3 point;
+        Color beta;
+        int length;
+    };
+
+    explicit Diary(std::size_t last = 1000) : last_(last) {}
+
+    bool reached(const Interaction& at, const WalkState& path) {
+        EXPECT_EQ(vertices.size(), directions.size()) << "Is the visitor told how each vertex is left?";
+        vertices.push_back({at.point(), path.beta, path.length});
+        return vertices.size() < last_;
+    }
+    void scattered(const Interaction& at, const BsdfSample& sample) {
+        EXPECT_EQ(vertices.size(), directions.size() + 1) << "Is a vertex told of before it is left?";
+        EXPECT_LE((at.point() - vertices.back().point).norm(), 0) << "At which vertex is the path scattered?";
+        directions.push_back(sample.wi);
+    }
+    void escaped(const WalkState& path) {
+        escapes.push_back({path.ray.origin, path.beta, path.length});
+        way = path.ray.direction;
+    }
+
+    std::vector<Entry> vertices;
+    std::vector<Vec3> directions;
+    std::vector<Entry> escapes;
+    Vec3 way = Vec3::Zero();
+
+private:
+    std::size_t last_;
+};
+
+SceneObject mirrorAt(Real height, bool up, const Color& reflectance) {
+    return {std::make_shared<Plane>(Vec3(0, height, 0), up ? Vec3::UnitY() : Vec3(-Vec3::UnitY())),
+            std::make_shared<MirrorMaterial>(reflectance),
+            {},
+            nullptr};
+}
+
+// Back and forth between two coloured mirrors, 2 apart, in tinted air. Each segment is 2.5 long, the first half of it.
+TEST(Walk, TellsOfEachVertexInTurn) {
+    const Color below(0.9, 0.6, 0.8);
+    const Color above(0.7, 0.95, 0.5);
+    const Color tint(0.02, 0.1, 0.05);
+    const Scene scene =
+        of({mirrorAt(0, true, below), mirrorAt(2, false, above), test::tintedAir({-99, -9, -9}, {99, 9, 9}, tint)});
+    const Vec3 start(-3, 1, 2);
+    const Ray ray = {start, {0.6, -0.8, 0}};
+    const Color carried(2, 0.3, 1);
+    for (const int most : {1, 2, 7}) {
+        Diary diary;
+        RayCounts counts;
+        walk(scene, {ray, scene.mediaAt(start), carried}, TransportMode::Radiance,
+             {.maxLength = most, .rouletteStart = 99}, test::independent.start(0, {0, 0}, 0), counts, diary);
+        ASSERT_EQ(diary.vertices.size(), static_cast<std::size_t>(most)) << "After how many segments does a walk end?";
+        ASSERT_EQ(diary.directions.size() + 1, diary.vertices.size()) << "Is the last vertex left as well?";
+        EXPECT_TRUE(diary.escapes.empty());
+        EXPECT_EQ(counts.rays, most) << "Where are the rays counted?";
+        Color beta = carried;
+        for (int i = 0; i < most; ++i) {
+            const auto& [point, found, length] = diary.vertices[static_cast<std::size_t>(i)];
+            EXPECT_EQ(length, i + 1) << "How many segments lead to vertex " << i << "?";
+            EXPECT_LE((point - Vec3(-2.25 + 1.5 * i, i % 2 == 0 ? 0 : 2, 2)).norm(), 1e-9)
+                << "Where is vertex " << i << "?";
+            beta *= (-tint * (i == 0 ? 1.25 : 2.5)).exp();
+            test::expectColor(found, beta, "What do the media on the way to a vertex let pass?");
+            beta *= i % 2 == 0 ? below : above;
+        }
+    }
+}
+
+// By the visitor's word, at what doesn't scatter, in the open, and where roulette takes the path.
+TEST(Walk, EndsWhereThePathDoes) {
+    const Scene mirrors = of({mirrorAt(0, true, Color(0.2, 0.1, 0.15)), mirrorAt(2, false, Color(0.2, 0.1, 0.15))});
+    const Ray ray = {{0, 1, 0}, {0.6, -0.8, 0}};
+    const auto walked = [](const Scene& scene, const Ray& from, TransportMode mode, int rouletteStart, int index,
+                           Diary diary) {
+        RayCounts counts;
+        walk(scene, {from, scene.mediaAt(from.origin), Color(0.5, 0.7, 0.2)}, mode,
+             {.maxLength = 10, .rouletteStart = rouletteStart}, test::independent.start(0, {0, 0}, index), counts,
+             diary);
+        return diary;
+    };
+    const Diary stopped = walked(mirrors, ray, TransportMode::Radiance, 99, 0, Diary(3));
+    EXPECT_EQ(stopped.vertices.size(), 3U) << "What does it mean that reached() says false?";
+    EXPECT_EQ(stopped.directions.size(), 2U) << "Does the path go on from there?";
+
+    const Scene black = of({{std::make_shared<Rectangle>(Vec3(-9, 0, 9), Vec3(18, 0, 0), Vec3(0, 0, -18)),
+                             nullptr,
+                             {},
+                             std::make_shared<ConstantTexture>(Color(5, 6, 7))}});
+    const Diary absorbed = walked(black, ray, TransportMode::Radiance, 99, 0, Diary());
+    EXPECT_EQ(absorbed.vertices.size(), 1U) << "Is the visitor told of a surface that doesn't scatter?";
+    EXPECT_TRUE(absorbed.directions.empty() && absorbed.escapes.empty())
+        << "How would a path go on from a lamp that scatters nothing?";
+
+    const Diary open = walked(of({}), ray, TransportMode::Radiance, 99, 0, Diary());
+    EXPECT_TRUE(open.vertices.empty());
+    ASSERT_EQ(open.escapes.size(), 1U) << "Is the visitor told of a path that meets nothing?";
+    test::expectColor(open.escapes[0].beta, Color(0.5, 0.7, 0.2), "What does it carry?");
+
+    const Scene plain = of({floor(test::diffuse(test::rho))});
+    for (int i = 0; i < 50; ++i) {
+        const Diary once = walked(plain, {{3, 4, -5}, {0.6, -0.8, 0}}, TransportMode::Importance, 99, i, Diary());
+        ASSERT_EQ(once.vertices.size(), 1U);
+        ASSERT_EQ(once.escapes.size(), 1U) << "Is the visitor told of a path that leaves, and once?";
+        test::expectColor(once.escapes[0].beta, Color(0.5, 0.7, 0.2) * test::rho, "What does it carry?");
+        EXPECT_LE((once.way - once.directions[0]).norm(), 0) << "Along which ray does it leave?";
+        EXPECT_LE((once.escapes[0].point - once.vertices[0].point).norm(), 1e-9) << "From where does it leave?";
+    }
+
+    // A seventh survives the first mirror, and counts seven times.
+    constexpr int n = 20'000;
+    int second = 0;
+    for (int i = 0; i < n; ++i) {
+        const Diary diary = walked(mirrors, ray, TransportMode::Radiance, 0, i, Diary());
+        if (diary.vertices.size() < 2) continue;
+        ++second;
+        // Of 0.1, 0.07, 0.03 a seventh survives: the largest channel against 0.7.
+        test::expectColor(diary.vertices[1].beta, 7 * Color(0.1, 0.07, 0.03), "What does a survivor carry?");
+    }
+    EXPECT_NEAR(second, n / 7.0, 5.5 * std::sqrt(n * 6 / 49.0)) << "Does a path end when roulette says so?";
+}
+
+// Into glass: radiance is divided by η², importance isn't. And in fog each vertex has its own numbers, none twice.
+TEST(Walk, HandsOnModeAndNumbers) {
+    SceneObject glass = floor(std::make_shared<RefractionMaterial>(Color::Zero(), Color(0.7, 0.4, 0.5)));
+    glass.interior = Interior{1.5, nullptr, 0};
+    const Scene into = of({glass});
+    for (const TransportMode mode : {TransportMode::Radiance, TransportMode::Importance}) {
+        Diary diary;
+        RayCounts counts;
+        walk(into, {{{3, 4, -5}, {0.6, -0.8, 0}}, into.mediaAt({3, 4, -5}), Color::Ones()}, mode, {.rouletteStart = 99},
+             test::independent.start(0, {0, 0}, 0), counts, diary);
+        ASSERT_EQ(diary.escapes.size(), 1U);
+        test::expectColor(diary.escapes[0].beta, Color(0.7, 0.4, 0.5) / (mode == TransportMode::Radiance ? 2.25 : 1),
+                          "What does the path carry, radiance or importance?");
+    }
+    const auto fog = std::make_shared<test::ColouredFog>(Color(0.1, 0.2, 0.05), Color(3, 2, 4));
+    SceneObject cloud;
+    cloud.shape = std::make_shared<Box>(Vec3::Constant(-50), Vec3::Constant(50));
+    cloud.interior = Interior{1, fog, 0};
+    const Scene scene = of({cloud});
+    const test::RecordingSampler sampler;
+    for (int i = 0; i < 50; ++i) {
+        sampler.forget();
+        Diary diary;
+        RayCounts counts;
+        walk(scene, {{Vec3::Zero(), {0, 0.6, 0.8}}, scene.mediaAt(Vec3::Zero()), Color::Ones()},
+             TransportMode::Radiance, {.maxLength = 6, .rouletteStart = 99}, sampler.start(0, {0, 0}, i), counts,
+             diary);
+        ASSERT_EQ(diary.vertices.size(), 6U);
+        std::set<int> distances;
+        for (const auto& asked : sampler.asked()) distances.insert(asked.dimension);
+        for (int vertex = 0; vertex < 6; ++vertex) {
+            ASSERT_TRUE(distances.contains(Dimension::vertex(vertex, VertexUse::Distance).index))
+                << "Which vertex's numbers say how far light goes? They count from 0.";
+        }
+        ASSERT_EQ(sampler.asked().size(), sampler.different()) << "Which number is taken twice?";
     }
 }
 
