@@ -19,6 +19,22 @@ namespace {
 
 const Real peak = std::sqrt(Real(3)) / 2;  // of test::wave()
 
+// T₈ (2 t - 1) on a slope: four waves in height order, each between samples of its own. The coefficients of T_n are
+// (-1)^(n-i) C(2n, 2i) / C(n, i) (Rababah 2003, eq. 2.2).
+BezierCurve wavesOnASlope(Real slope) {
+    std::vector<Vec3> points;
+    for (int i = 0; i <= 8; ++i) {
+        Real even = 1;
+        Real all = 1;
+        for (int k = 0; k < 2 * i; ++k) even *= Real(16 - k) / (k + 1);
+        for (int k = 0; k < i; ++k) all *= Real(8 - k) / (k + 1);
+        const Real wave = (i % 2 == 0 ? 1 : -1) * even / all;
+        const Real height = slope * (Real(i) / 4 - 1);
+        points.emplace_back(wave + height, 3 - wave + height, -2e5 * wave + 1e5 * height);
+    }
+    return BezierCurve(points);
+}
+
 // Both extrema of each coordinate lie between samples; closed form in known_curves.h.
 TEST(SampledBounds, FindsMinimumAndMaximumBetweenSamples) {
     const Bounds3 box = sampledBounds(test::wave(), 9);
@@ -31,6 +47,21 @@ TEST(SampledBounds, FindsMinimumAndMaximumBetweenSamples) {
     EXPECT_NEAR(sampledBounds(curve, 5).max().y(), 0, 1e-12) << "Does a bracket need < on both sides?";
     const BezierCurve below({Vec3(0, 9.0 / 64, 0), Vec3(1, -15.0 / 64, 0), Vec3(2, 25.0 / 64, 0)});
     EXPECT_NEAR(sampledBounds(below, 5).min().y(), 0, 1e-12) << "And a valley?";
+    for (const Real slope : {-0.11, -0.03, 0.03, 0.07, 0.11}) {
+        const BezierCurve waves = wavesOnASlope(slope);
+        const test::ReferenceCurve reference(waves);
+        for (int samples = 11; samples <= 40; ++samples) {
+            const Bounds3 found = sampledBounds(waves, samples);
+            for (int axis = 0; axis < 3; ++axis) {
+                const auto [low, high] = reference.range(axis);
+                const Real scale = axis == 2 ? 1e5 : 1;
+                ASSERT_NEAR(found.min()[axis], static_cast<Real>(low), 1e-11 * scale)
+                    << samples << " samples, slope " << slope << ": from where to where does a bracket reach?";
+                ASSERT_NEAR(found.max()[axis], static_cast<Real>(high), 1e-11 * scale)
+                    << samples << " samples, slope " << slope << ": and which third goes?";
+            }
+        }
+    }
 }
 
 // A monotone coordinate is extreme at the ends, where no sample turns.
@@ -63,37 +94,6 @@ TEST(SampledBounds, TakesInTheEndPoints) {
     }
 }
 
-// T₈ (2 t - 1) on a slope: four waves in height order, each between samples of its own. Its Bernstein coefficients come
-// from the blossom, its box from exactBounds()' judge.
-TEST(SampledBounds, SearchesEachBracketByItself) {
-    for (const Real slope : {-0.11, -0.03, 0.03, 0.07, 0.11}) {
-        std::vector<Vec3> points;
-        for (int i = 0; i <= 8; ++i) {
-            // The coefficients of T_n are (-1)^(n-i) C(2n, 2i) / C(n, i) (Rababah 2003, eq. 2.2).
-            Real even = 1;
-            Real all = 1;
-            for (int k = 0; k < 2 * i; ++k) even *= Real(16 - k) / (k + 1);
-            for (int k = 0; k < i; ++k) all *= Real(8 - k) / (k + 1);
-            const Real wave = (i % 2 == 0 ? 1 : -1) * even / all;
-            const Real height = slope * (Real(i) / 4 - 1);
-            points.emplace_back(wave + height, 3 - wave + height, -2e5 * wave + 1e5 * height);
-        }
-        const BezierCurve curve(points);
-        const test::ReferenceCurve reference(curve);
-        for (int samples = 11; samples <= 40; ++samples) {
-            const Bounds3 box = sampledBounds(curve, samples);
-            for (int axis = 0; axis < 3; ++axis) {
-                const auto [low, high] = reference.range(axis);
-                const Real scale = axis == 2 ? 1e5 : 1;
-                ASSERT_NEAR(box.min()[axis], static_cast<Real>(low), 1e-11 * scale)
-                    << samples << " samples, slope " << slope << ": from where to where does a bracket reach?";
-                ASSERT_NEAR(box.max()[axis], static_cast<Real>(high), 1e-11 * scale)
-                    << samples << " samples, slope " << slope << ": and which third goes?";
-            }
-        }
-    }
-}
-
 // Two maxima as close as 0.003, anywhere: some pairs fall between the samples of whatever grid. A hundred millionth of
 // the difference in height is allowed, far more than rounding.
 TEST(ExactBounds, SeesBothOfTwoCloseMaxima) {
@@ -123,6 +123,15 @@ std::vector<test::NamedCurve> lopsidedCurves() {
     return curves;
 }
 
+// What position() computes, operation by operation.
+Vec3 byCasteljau(const BezierCurve& curve, Real t) {
+    std::vector<Vec3> points = curve.controlPoints();
+    for (std::size_t left = points.size(); left > 1; --left) {
+        for (std::size_t i = 0; i + 1 < left; ++i) points[i] = (1 - t) * points[i] + t * points[i + 1];
+    }
+    return points.front();
+}
+
 // Never smaller than the curve, not by the last bit: the judge computes with 113 bits.
 TEST(ExactBounds, IsNeverSmallerThanTheCurve) {
     for (const auto& [name, curve] : lopsidedCurves()) {
@@ -135,14 +144,11 @@ TEST(ExactBounds, IsNeverSmallerThanTheCurve) {
             EXPECT_GE(test::Quad(box.max()[axis]), high) << name << ", axis " << axis;
         }
     }
-}
-
-// So large or so small that a product under- or overflows; and so flat that position() itself wanders by rounding.
-TEST(ExactBounds, HoldsEveryPointThatPositionComputes) {
+    // So large or so small that a product under- or overflows; and so flat that position() itself wanders by rounding.
     const auto holds = [](const BezierCurve& curve, int steps, const std::string& what) {
         const Bounds3 box = exactBounds(curve);
         for (int i = 0; i <= steps; ++i) {
-            const Vec3 point = curve.position(static_cast<Real>(i) / steps);
+            const Vec3 point = byCasteljau(curve, static_cast<Real>(i) / steps);
             ASSERT_TRUE((point.array() >= box.min().array()).all() && (point.array() <= box.max().array()).all())
                 << what << " at step " << i << ": by how much can a point of this degree and size be off?";
         }
