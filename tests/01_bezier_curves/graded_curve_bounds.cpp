@@ -20,7 +20,7 @@ namespace {
 const Real peak = std::sqrt(Real(3)) / 2;  // of test::wave()
 
 // T₈ (2 t - 1) on a slope: four waves in height order, each between samples of its own. The coefficients of T_n are
-// (-1)^(n-i) C(2n, 2i) / C(n, i) (Rababah 2003, eq. 2.2).
+// (-1)^(n-i) C(2n, 2i) / C(n, i) (Rababah 2003, Transformation of Chebyshev–Bernstein Polynomial Basis).
 BezierCurve wavesOnASlope(Real slope) {
     std::vector<Vec3> points;
     for (int i = 0; i <= 8; ++i) {
