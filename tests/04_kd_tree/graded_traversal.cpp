@@ -229,11 +229,11 @@ TEST(Traversal, IsOnBothSidesWithinTheSlack) {
     }
 }
 
-// A long row of items: the first is hit, so the tree need not look at the others.
+// A long row of items, one in each leaf: the first is hit, so the tree need not look at the others.
 TEST(Traversal, LooksAtNearCellsFirstAndStopsAtTheHit) {
     std::vector<Bounds3> boxes;
     for (int i = 0; i < 256; ++i) boxes.emplace_back(Vec3(i, 0, 0), Vec3(i + 0.5, 1, 1));
-    const KdTree tree = treeOf(boxes);
+    const KdTree tree(boxes, KdRule{.split = KdSplit::Median, .median = 1});
     for (const Real sign : {1.0, -1.0}) {
         const Ray ray = {Vec3(sign > 0 ? -1 : 257, 0.5, 0.5), Vec3(sign, 0, 0)};
         const Nearest found = nearestByTree(tree, boxes, ray);
