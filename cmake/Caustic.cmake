@@ -46,6 +46,11 @@ if(CAUSTIC_STUDENT AND NOT (CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_C
   # A student with another compiler than ours need not wait until we know its warnings.
   target_compile_options(caustic_options INTERFACE -Wno-error)
 endif()
+if(CAUSTIC_STUDENT)
+  # Reading behind the end of a vector, or an empty optional, ends the program where it happens: a test that would pass by
+  # luck is none.
+  target_compile_definitions(caustic_options INTERFACE _GLIBCXX_ASSERTIONS)
+endif()
 if(CAUSTIC_ARCH STREQUAL "native")
   target_compile_options(caustic_options INTERFACE -march=native)
 elseif(CAUSTIC_ARCH STREQUAL "auto" AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
