@@ -412,8 +412,12 @@ function(caustic_tests name)
       target_sources(${target} PRIVATE "${program}")
       add_dependencies(${target} ${name})
     endif()
+    set(patience 300)
+    if(CAUSTIC_SANITIZE)
+      set(patience 6000)  # there tests take up to twenty times as long
+    endif()
     gtest_discover_tests(${target} TEST_PREFIX "${nn}.${kind}." DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
-      PROPERTIES LABELS "${nn}.${kind}" TIMEOUT 300)
+      PROPERTIES LABELS "${nn}.${kind}" TIMEOUT ${patience})
   endforeach()
 endfunction()
 
