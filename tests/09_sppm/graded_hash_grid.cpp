@@ -142,8 +142,10 @@ TEST(HashGrid, AsksFromOutsideToo) {
     EXPECT_TRUE(visited(grid, {50, 60, 70}, 0.1).empty());
 
     EXPECT_TRUE(visited(HashGrid(std::vector<Vec3>{}, 0.2), {1, 2, 3}, 5).empty()) << "No point is in an empty grid.";
-    for (const Vec3& point : wall) {
-        ASSERT_TRUE(visited(grid, point, -0.01).empty() && visited(grid, point, -0.1).empty())
+    const std::vector<Vec3> spread = cloud(300, {-1, -2, -1}, {1, 2, 1}, 4);
+    const HashGrid spreadGrid(spread, 0.2);
+    for (const Vec3& point : spread) {
+        ASSERT_TRUE(visited(spreadGrid, point, -0.01).empty() && visited(spreadGrid, point, -0.1).empty())
             << "Nothing is within a negative radius, wherever in its cube the point lies.";
     }
     const Real nan = std::numeric_limits<Real>::quiet_NaN();
