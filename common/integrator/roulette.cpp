@@ -7,13 +7,13 @@
 namespace caustic {
 
 std::optional<Real> roulette(const Color& share, Real u) {
-    //! [ex-07.2]
+    //! [roulette]
     const Real survival = share.maxCoeff();
     if (survival >= 1) return 1;
     if (u >= survival) return std::nullopt;
     // Arvo, Kirk 1990.
     return 1 / survival;
-    //! [ex-07.2]
+    //! [roulette]
 }
 
 }  // namespace caustic

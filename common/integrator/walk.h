@@ -84,7 +84,7 @@ inline std::optional<BsdfSample> leaveVertex(WalkState& path, const Interaction&
 template <typename Visitor>
 void walk(const Scene& scene, WalkState path, TransportMode mode, const PathLimits& limits, const PathNumbers& numbers,
           RayCounts& counts, Visitor& visitor) {
-    //! [ex-07.9]
+    //! [ex-07.2]
     for (;;) {
         Color weight;
         const std::optional<Interaction> at = scene.follow(path.ray, path.media, weight, numbers, path.length, counts);
@@ -96,7 +96,7 @@ void walk(const Scene& scene, WalkState path, TransportMode mode, const PathLimi
         if (!sample) return;
         visitor.scattered(*at, *sample);
     }
-    //! [ex-07.9]
+    //! [ex-07.2]
 }
 
 }  // namespace caustic

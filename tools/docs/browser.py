@@ -73,12 +73,21 @@ class Browser:
         """Waits until a JavaScript expression is true in the page, or in the frame of that name; returns its value."""
         end = time.monotonic() + self._timeout
         while True:
-            value = self.evaluate(condition, self.frame(frame) if frame else None)
+            value = self._evaluate_now(condition, frame)
             if value:
                 return value
             if time.monotonic() > end:
                 raise CourseError(f"in the browser, {condition} did not come true within {self._timeout} s {what}".strip())
             time.sleep(0.02)
+
+    def _evaluate_now(self, condition, frame):
+        """The condition's value; None while the frame loads, which takes its context away between two calls."""
+        try:
+            return self.evaluate(condition, self.frame(frame) if frame else None)
+        except CourseError as error:
+            if frame and "context with specified id" in str(error):
+                return None
+            raise
 
     def evaluate(self, expression, context=None):
         """The value of a JavaScript expression in the page, or in another context of it (see frame)."""
