@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -149,6 +150,29 @@ TEST(MeshTrees, KeepFloatsOnlyWhereNothingIsLost) {
                 }
             }
         }
+    }
+}
+
+// A direction may have any length: t counts in it, and nothing else changes.
+TEST(MeshTrees, AgreeForDirectionsOfAnyLength) {
+    Random maker(5, {1});
+    const auto mesh = std::make_shared<const MeshData>(meshSets()[0].make(maker, 150));
+    const Bounds3 box = boundsOf(*mesh);
+    const auto brute = plantMeshTree(MeshTreeKind::BruteForce, mesh);
+    for (const MeshTreeKind kind : allMeshTrees) {
+        const auto tree = plantMeshTree(kind, mesh);
+        int hits = 0;
+        for (std::uint64_t i = 0; i < 2000; ++i) {
+            Random random(19, {i});
+            Ray ray = randomRayAt(*mesh, box, random);
+            ray.direction *= std::array<Real, 6>{1e-250, 1e-100, 1e-20, 1e20, 1e100, 1e250}[i % 6];
+            if (i % 5 == 0) ray.direction[static_cast<int>(i % 3)] = 0;
+            const auto truth = brute->intersect(ray);
+            hits += truth ? 1 : 0;
+            ASSERT_TRUE(agree(tree->intersect(ray), truth)) << name(kind) << ", ray " << i;
+            ASSERT_EQ(tree->occluded(ray), truth.has_value()) << name(kind) << ", ray " << i;
+        }
+        EXPECT_GT(hits, 500) << name(kind);
     }
 }
 

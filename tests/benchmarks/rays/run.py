@@ -74,23 +74,30 @@ def counted(program, structure, side, rounds, mesh):
     return [int(number[1].replace(",", "")) for number in found]
 
 
+def counted_rows(side, meshes):
+    rays = SETS * side * side * (MANY - FEW)
+    rows = []
+    with Step("count") as step:
+        for name, mesh in meshes.items():
+            for structure in COUNTED:
+                few, many = (counted(build_dir("release") / "bin" / "bench_rays", structure, side, rounds, mesh)
+                             for rounds in (FEW, MANY))
+                rows += [(structure, f"{name}: {what}", f"{(more - less) / rays:.2f}", "per ray", "counted by cachegrind")
+                         for what, less, more in zip(COUNTS, few, many)]
+                step.progress(len(rows), len(meshes) * len(COUNTED) * len(COUNTS))
+    return rows
+
+
 def count(chosen, meshes):
     """Prints what a ray costs in each structure, by cachegrind's model of this machine's caches."""
     if shutil.which("valgrind") is None:
         raise CourseError("valgrind is missing, which counts the instructions; install Debian's package valgrind")
     cmake.configure("release", {"CAUSTIC_BENCHMARKS": "ON"})  # valgrind doesn't know all that a native build uses
-    cmake.build("release", targets=["bench_rays"])
-    rays = SETS * chosen.side * chosen.side * (MANY - FEW)
-    rows = []
-    with Step("count") as step:
-        for name, mesh in meshes.items():
-            for structure in COUNTED:
-                few, many = (counted(build_dir("release") / "bin" / "bench_rays", structure, chosen.side, rounds, mesh)
-                             for rounds in (FEW, MANY))
-                rows += [(structure, f"{name}: {what}", f"{(more - less) / rays:.2f}", "per ray", "counted by cachegrind")
-                         for what, less, more in zip(COUNTS, few, many)]
-                step.progress(len(rows), len(meshes) * len(COUNTED) * len(COUNTS))
-    cmake.configure("release", {"CAUSTIC_BENCHMARKS": "OFF"})
+    try:
+        cmake.build("release", targets=["bench_rays"])
+        rows = counted_rows(chosen.side, meshes)
+    finally:
+        cmake.configure("release", {"CAUSTIC_BENCHMARKS": "OFF"})
     say(table((f"{structure}, {case}", value) for structure, case, value, _, _ in rows))
     save_quantities(chosen.csv, rows)
     return 0
