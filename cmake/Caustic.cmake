@@ -46,9 +46,10 @@ if(CAUSTIC_STUDENT AND NOT (CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_C
   # A student with another compiler than ours need not wait until we know its warnings.
   target_compile_options(caustic_options INTERFACE -Wno-error)
 endif()
-if(CAUSTIC_STUDENT)
-  # Reading behind the end of a vector, or an empty optional, ends the program where it happens: a test that would pass by
-  # luck is none.
+# Reading behind the end of a vector, or an empty optional, ends the program where it happens: a test that would pass by
+# luck is none. The gates go without it: so ccache knows their trees from the release build.
+option(CAUSTIC_ASSERTIONS "The standard library minds what it is asked" ${CAUSTIC_STUDENT})
+if(CAUSTIC_ASSERTIONS)
   target_compile_definitions(caustic_options INTERFACE _GLIBCXX_ASSERTIONS)
 endif()
 if(CAUSTIC_ARCH STREQUAL "native")
@@ -413,8 +414,8 @@ function(caustic_tests name)
       add_dependencies(${target} ${name})
     endif()
     set(patience 300)
-    if(CAUSTIC_SANITIZE)
-      set(patience 6000)  # there tests take up to twenty times as long
+    if(CAUSTIC_SANITIZE OR kind STREQUAL "large")
+      set(patience 6000)  # under a sanitizer tests take up to twenty times as long
     endif()
     gtest_discover_tests(${target} TEST_PREFIX "${nn}.${kind}." DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
       PROPERTIES LABELS "${nn}.${kind}" TIMEOUT ${patience})

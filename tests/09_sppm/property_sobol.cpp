@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -56,7 +57,7 @@ TEST(OwenScrambled, KeepsWhatIsShared) {
         const auto seed = static_cast<std::uint32_t>(random.below(std::uint64_t{1} << 32));
         const std::uint32_t before = a ^ b;
         const std::uint32_t after = owenScrambled(a, seed) ^ owenScrambled(b, seed);
-        ASSERT_EQ(__builtin_clzll(before), __builtin_clzll(after)) << a << " " << b << " " << seed;
+        ASSERT_EQ(std::countl_zero(before), std::countl_zero(after)) << a << " " << b << " " << seed;
     }
 }
 

@@ -82,7 +82,7 @@ class ChapterGates:
         (work / UNFINISHED).touch()
         lay_out(tree, known_files(cls.number), overlay)
         built = build_tree(tree, [cls.catalog.target, cls.chapter], f"{cls.chapter}, {name}",
-                           [f"CAUSTIC_LAST_CHAPTER={cls.number}"])
+                           [f"CAUSTIC_LAST_CHAPTER={cls.number}", "CAUSTIC_ASSERTIONS=OFF"])
         cls.said_nothing = cls.said_nothing and not built.error and not built.warnings
         if cls.said_nothing:
             (work / UNFINISHED).unlink()

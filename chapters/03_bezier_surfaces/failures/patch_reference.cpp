@@ -107,6 +107,25 @@ private:
         return true;
     }
 
+    // The longest side of a piece's box.
+    Long extent(const Piece& piece) const {
+        Long longest = 0;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            Long least = HUGE_VALL;
+            Long most = -HUGE_VALL;
+            for (int i = 0; i <= m_; ++i) {
+                for (int j = 0; j <= n_; ++j) {
+                    least = std::min(least, at(piece, i, j)[axis]);
+                    most = std::max(most, at(piece, i, j)[axis]);
+                }
+            }
+            longest = std::max(longest, most - least);
+        }
+        return longest;
+    }
+
+    // A line that grazes meets the boxes of pieces beside the one that it meets: as far along the line as a box is
+    // wide, divided by the cosine. They are one meeting.
     void search(const Piece& piece, int depth) {
         Long low;
         Long high;
@@ -119,7 +138,8 @@ private:
         if (depth >= deepest) {
             const bool border = piece.touchesBorder[0][0] || piece.touchesBorder[0][1] || piece.touchesBorder[1][0] ||
                                 piece.touchesBorder[1][1];
-            return add(low, high, border || !clear);
+            const Long blur = clear ? (extent(piece) + 2 * pad_) / cosine : 0;
+            return add(low - blur, high + blur, border || !clear);
         }
         Piece first;
         Piece second;
