@@ -417,8 +417,12 @@ function(caustic_tests name)
     if(CAUSTIC_SANITIZE OR kind STREQUAL "large")
       set(patience 6000)  # under a sanitizer tests take up to twenty times as long
     endif()
+    set(environment "")
+    if(CAUSTIC_SANITIZE MATCHES "thread")
+      set(environment ENVIRONMENT "TSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/cmake/thread_suppressions.txt")
+    endif()
     gtest_discover_tests(${target} TEST_PREFIX "${nn}.${kind}." DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
-      PROPERTIES LABELS "${nn}.${kind}" TIMEOUT ${patience})
+      PROPERTIES LABELS "${nn}.${kind}" TIMEOUT ${patience} ${environment})
   endforeach()
 endfunction()
 

@@ -1,16 +1,28 @@
 #include "integrator/radius_rule.h"
 
+#include <math.h>  // lgamma_r, which <cmath> doesn't have
+
 #include <cmath>
 
 #include "core/not_implemented.h"
 
 namespace caustic {
 
+namespace {
+
+// log Γ(x) for x > 0. std::lgamma writes the sign to a global variable, from all threads at once.
+Real logGamma(Real x) {
+    int sign = 0;
+    return ::lgamma_r(x, &sign);
+}
+
+}  // namespace
+
 Real radiusOfPass(Real first, Real alpha, std::int64_t pass) {
     //! [ex-09.3]
     // The product in closed form: Γ(i + 1 + α) / (Γ(1 + α) Γ(i + 2)).
     const auto i = static_cast<Real>(pass);
-    return first * std::exp(0.5 * (std::lgamma(i + 1 + alpha) - std::lgamma(1 + alpha) - std::lgamma(i + 2)));
+    return first * std::exp(0.5 * (logGamma(i + 1 + alpha) - logGamma(1 + alpha) - logGamma(i + 2)));
     //! [ex-09.3]
 }
 
