@@ -1,22 +1,11 @@
 #include "integrator/radius_rule.h"
 
-#include <math.h>  // lgamma_r, which <cmath> doesn't have
-
 #include <cmath>
 
 #include "core/not_implemented.h"
+#include "math/log_gamma.h"
 
 namespace caustic {
-
-namespace {
-
-// log Γ(x) for x > 0. std::lgamma writes the sign to a global variable, from all threads at once.
-Real logGamma(Real x) {
-    int sign = 0;
-    return ::lgamma_r(x, &sign);
-}
-
-}  // namespace
 
 Real radiusOfPass(Real first, Real alpha, std::int64_t pass) {
     //! [ex-09.3]

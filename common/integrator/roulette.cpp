@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "core/not_implemented.h"
-
 namespace caustic {
 
 std::optional<Real> roulette(const Color& share, Real u) {

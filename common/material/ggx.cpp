@@ -1,25 +1,18 @@
 #include "material/ggx.h"
 
-#include <math.h>  // lgamma_r, which <cmath> doesn't have
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "core/not_implemented.h"
+#include "math/log_gamma.h"
 
 namespace caustic {
 
 namespace {
 
 constexpr Real pi = std::numbers::pi;
-
-// log Γ(x) for x ≥ 1. std::lgamma writes the sign to a global variable, from all threads at once.
-Real logGamma(Real x) {
-    int sign = 0;
-    return ::lgamma_r(x, &sign);
-}
 
 }  // namespace
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
+#include <utility>
 
 namespace caustic {
 
@@ -29,13 +31,34 @@ public:
 
     std::vector<PatchRoot> run() {
         search(whole_, {}, 0);
+        if (pieces_ >= most_) searchByLevels();
         return std::move(roots_);
     }
 
 private:
     // A line that runs within the surface would be looked for without end.
-    static constexpr int mostPieces = 4000;
+    static constexpr int mostInDepth = 1000;
+    static constexpr int mostByLevels = 4000;
     static constexpr int deepest = 120;
+
+    struct Piece {
+        PlaneNet net;
+        PatchDomain domain;
+    };
+
+    // Where a line nearly runs in the surface, a search in depth comes to no end, and what it would find elsewhere is
+    // lost. So all parts of a width are searched before narrower ones. Not at once: their copies make every ray a third
+    // slower.
+    void searchByLevels() {
+        most_ = mostByLevels;
+        pieces_ = 0;
+        next_.emplace();
+        search(whole_, {}, 0);
+        for (int depth = 1; !next_->empty(); ++depth) {
+            const std::vector<Piece> level = std::exchange(*next_, {});
+            for (const Piece& piece : level) search(piece.net, piece.domain, depth);
+        }
+    }
 
     Vec2 flattened(const Vec3& from) const {
         const Real z = from[ray_.axis[2]];
@@ -57,7 +80,7 @@ private:
         const Vec2 middle(middleOf(domain.u, left.u), middleOf(domain.v, left.v));
         if (isOneToOne(net) && addByNewton(middle, domain)) return;
         if (isTiny(domain.u) && isTiny(domain.v)) return addAtFold(domain);
-        if ((most - least).maxCoeff() <= tolerance_ || depth >= deepest || ++pieces_ >= mostPieces) {
+        if ((most - least).maxCoeff() <= tolerance_ || depth >= deepest || ++pieces_ >= most_) {
             return addIfClose(middle);
         }
         halve(net, domain, left, depth);
@@ -91,8 +114,16 @@ private:
             halveV(net, first, second);
             firstDomain.v.upper = secondDomain.v.lower = (domain.v.lower + domain.v.upper) / 2;
         }
-        if (wanted.lower <= Real(0.5)) search(first, firstDomain, depth + 1);
-        if (wanted.upper >= Real(0.5)) search(second, secondDomain, depth + 1);
+        if (wanted.lower <= Real(0.5)) goOn(first, firstDomain, depth + 1);
+        if (wanted.upper >= Real(0.5)) goOn(second, secondDomain, depth + 1);
+    }
+
+    void goOn(const PlaneNet& net, const PatchDomain& domain, int depth) {
+        if (next_) {
+            next_->push_back({net, domain});
+        } else {
+            search(net, domain, depth);
+        }
     }
 
     static Real extentU(const PlaneNet& net) {
@@ -194,6 +225,8 @@ private:
     PlaneNet whole_;
     Real tolerance_;
     int pieces_ = 0;
+    int most_ = mostInDepth;
+    std::optional<std::vector<Piece>> next_;  // by levels: the parts of the next one
     std::vector<PatchRoot> roots_;
 };
 

@@ -65,19 +65,11 @@ TEST(PatchRoots, RandomChordsLoseNothing) {
 
 class AdversarialPatch : public testing::TestWithParam<std::size_t> {};
 
-// Near a fold two meetings lie close together, and not every pair is told apart yet: the lesson says so.
-TEST(PatchRoots, TangentRaysLoseFewMeetings) {
-    const RootExamination count = examinePatches(6, 1'600, seed, threads);
-    EXPECT_LE(count.misses, count.meetings / 100) << "of " << count.meetings;
-    EXPECT_EQ(count.falseHits, 0);
-    EXPECT_LE(count.worstDistance, 1e-12);
-}
-
 TEST_P(AdversarialPatch, LosesNothing) {
     expectNothingMissed(examinePatches(GetParam(), 1'600, seed, threads), patchSetNames()[GetParam()]);
 }
 
-INSTANTIATE_TEST_SUITE_P(EverySetButTangents, AdversarialPatch, testing::Values(1, 2, 3, 4, 5, 7, 8, 9, 10, 11));
+INSTANTIATE_TEST_SUITE_P(EverySet, AdversarialPatch, testing::Range(std::size_t{1}, patchSetNames().size()));
 
 // A ray at the very edge that two patches share meets one of them: what is left must allow for rounding.
 TEST(PatchRoots, SharedEdgesLetNothingThrough) {
