@@ -5,6 +5,12 @@
 # link nothing that a later chapter adds. What the linker cannot see (headers), tools/chapter_order.py checks in the
 # compiler's dependency files.
 
+# Any Python 3 runs the tools. find_package(Python3) asks it six times for what only those need who compile against it, which
+# is more than half the time of configuring a small tree.
+find_program(Python3_EXECUTABLE python3 REQUIRED)
+add_executable(Python3::Interpreter IMPORTED GLOBAL)
+set_target_properties(Python3::Interpreter PROPERTIES IMPORTED_LOCATION "${Python3_EXECUTABLE}")
+
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
