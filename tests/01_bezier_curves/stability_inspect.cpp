@@ -25,6 +25,8 @@ class Inspect : public testing::Test {
 protected:
 #ifdef __SANITIZE_ADDRESS__
     static constexpr double mostMiB = 300;  // the sanitizer's zones around each block and its map of them come on top
+#elif defined(__SANITIZE_THREAD__)
+    static constexpr double mostMiB = 1000;  // four bytes to know the last uses of each
 #else
     static constexpr double mostMiB = 200;
 #endif
