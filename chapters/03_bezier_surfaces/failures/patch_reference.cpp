@@ -65,19 +65,25 @@ private:
         return piece.point[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
     }
 
+    // The least and the largest coordinate of a piece's control points.
+    std::pair<Long, Long> side(const Piece& piece, std::size_t axis) const {
+        Long least = HUGE_VALL;
+        Long most = -HUGE_VALL;
+        for (int i = 0; i <= m_; ++i) {
+            for (int j = 0; j <= n_; ++j) {
+                least = std::min(least, at(piece, i, j)[axis]);
+                most = std::max(most, at(piece, i, j)[axis]);
+            }
+        }
+        return {least, most};
+    }
+
     // Where the line is in the box of the control points; low > high when nowhere.
     void window(const Piece& piece, Long& low, Long& high) const {
         low = -HUGE_VALL;
         high = HUGE_VALL;
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            Long least = HUGE_VALL;
-            Long most = -HUGE_VALL;
-            for (int i = 0; i <= m_; ++i) {
-                for (int j = 0; j <= n_; ++j) {
-                    least = std::min(least, at(piece, i, j)[axis]);
-                    most = std::max(most, at(piece, i, j)[axis]);
-                }
-            }
+            auto [least, most] = side(piece, axis);
             least -= pad_ + origin_[axis];
             most += pad_ - origin_[axis];
             if (direction_[axis] == 0) {
@@ -91,7 +97,7 @@ private:
         }
     }
 
-    // Cosine between line and normal at the corners; the smallest, and whether there is a normal everywhere.
+    // Cosine between line and normal at the corners; the largest, and whether there is a normal everywhere.
     bool normalIsClear(const Piece& piece, Long& largest) const {
         largest = 0;
         for (const int i : {0, m_}) {
@@ -111,14 +117,7 @@ private:
     Long extent(const Piece& piece) const {
         Long longest = 0;
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            Long least = HUGE_VALL;
-            Long most = -HUGE_VALL;
-            for (int i = 0; i <= m_; ++i) {
-                for (int j = 0; j <= n_; ++j) {
-                    least = std::min(least, at(piece, i, j)[axis]);
-                    most = std::max(most, at(piece, i, j)[axis]);
-                }
-            }
+            const auto [least, most] = side(piece, axis);
             longest = std::max(longest, most - least);
         }
         return longest;
