@@ -10,7 +10,7 @@ namespace {
 
 constexpr Real turn = 2 * std::numbers::pi;
 
-BezierCurve flat(std::vector<Vec2> points) {
+BezierCurve flat(const std::vector<Vec2>& points) {
     std::vector<Vec3> controlPoints;
     for (const Vec2& p : points) controlPoints.emplace_back(p.x(), p.y(), 0);
     return BezierCurve(std::move(controlPoints));

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <utility>
 
@@ -20,7 +21,7 @@ double secondsBetween(std::chrono::steady_clock::time_point from, std::chrono::s
 
 std::string formatDuration(double seconds) {
     char text[32];
-    const auto whole = static_cast<long long>(seconds + 0.5);
+    const auto whole = std::llround(seconds);
     if (seconds < 9.95) {
         std::snprintf(text, sizeof text, "%.1f s", seconds);
     } else if (whole < 60) {
@@ -65,7 +66,7 @@ void Progress::show(Clock::time_point now) {
         return;
     }
     const double share = std::clamp(static_cast<double>(done_) / static_cast<double>(total_), 0.0, 1.0);
-    std::string left = "";
+    std::string left;
     if (share > 0) left = formatDuration(secondsBetween(start_, now) * (1 - share) / share) + " left";
     if (terminal_) {
         const int filled = static_cast<int>(share * barWidth);

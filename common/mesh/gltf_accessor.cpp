@@ -84,8 +84,9 @@ void GltfAccessors::read(int accessor, int view, std::size_t offset, const Layou
     const std::size_t element = sizeOf(layout.type) * layout.components;
     const std::size_t stride = strided && slice.byteStride > 0 ? slice.byteStride : element;
     if (stride < element) fail(accessor, std::to_string(stride), "has a stride shorter than its elements");
-    const bool fits = layout.count == 0 || (offset <= slice.byteLength && element <= slice.byteLength - offset &&
-                                            layout.count - 1 <= (slice.byteLength - offset - element) / stride);
+    const bool fitsOnce = offset <= slice.byteLength && element <= slice.byteLength - offset;
+    // NOLINTNEXTLINE(clang-analyzer-core.DivideZero): no type has a size of 0.
+    const bool fits = layout.count == 0 || (fitsOnce && layout.count - 1 <= (slice.byteLength - offset - element) / stride);
     if (!fits) fail(accessor, std::to_string(layout.count) + " elements", "ends after its buffer view");
 
     const char* const begin = reinterpret_cast<const char*>(bytes.data()) + slice.byteOffset + offset;

@@ -88,7 +88,8 @@ template <typename Part>
     const WideReal least = smaller(smaller(u, v), w);
     const WideReal most = larger(larger(u, v), w);
     WideHits found;
-    const unsigned inside = lanesOf((least >= 0) | (most <= 0));
+    const WideMask within = (least >= 0) | (most <= 0);
+    const unsigned inside = lanesOf(within);
     if (inside == 0) return found;
 
     const auto largest = [](WideReal p, WideReal q, WideReal r) {
@@ -97,13 +98,15 @@ template <typename Part>
     const WideReal numerator = u * az + v * bz + w * cz;
     const WideReal error = watertightError(largest(ax, bx, cx), largest(ay, by, cy), largest(az, bz, cz),
                                            larger(magnitude(least), magnitude(most)));
-    const unsigned sure = lanesOf(((least > 0) | (most < 0)) & (magnitude(numerator) > error));
+    const WideMask certain = ((least > 0) | (most < 0)) & (magnitude(numerator) > error);
+    const unsigned sure = lanesOf(certain);
     found.unsure = inside & ~sure;
     found.determinant = u + v + w;
     found.t = ray.shear[2] * numerator / found.determinant;
     found.v = v;
     found.w = w;
-    found.hit = inside & sure & lanesOf((found.t > ray.tMin) & (found.t < inAllLanes(tMax)));
+    const WideMask near = (found.t > ray.tMin) & (found.t < inAllLanes(tMax));
+    found.hit = inside & sure & lanesOf(near);
     return found;
 }
 

@@ -32,7 +32,7 @@ KdTree plant(const Shapes& members) {
 
 }  // namespace
 
-ShapeTree::ShapeTree(Shapes members)
+ShapeTree::ShapeTree(const Shapes& members)
     : unbounded_(chosen(members, false)), members_(chosen(members, true)), tree_(plant(members_)) {
     checkArgument(!members.empty(), "tree of shapes", "0 members", "needs at least one");
     for (const auto& member : members) bounds_.extend(member->bounds());

@@ -14,7 +14,7 @@ namespace caustic {
 class ShapeTree final : public Shape {
 public:
     /// @throws InputError when there is no member, or one is null
-    explicit ShapeTree(std::vector<std::shared_ptr<const Shape>> members);
+    explicit ShapeTree(const std::vector<std::shared_ptr<const Shape>>& members);
 
     std::optional<Hit> intersect(const Ray& ray) const override;
     bool occluded(const Ray& ray) const override;

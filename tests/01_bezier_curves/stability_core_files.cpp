@@ -176,7 +176,9 @@ TEST_F(Gnuplot, ItsComplaintIsTheReasonAndNothingIsWritten) {
 TEST_F(Gnuplot, ScriptThatDrawsNothingIsAFailure) { EXPECT_NE(failureOf("x = 1\n"), ""); }
 
 TEST_F(Gnuplot, MissingProgramIsNamedWithItsPackage) {
-    const std::string path = std::getenv("PATH");
+    const char* const set = std::getenv("PATH");
+    ASSERT_NE(set, nullptr);
+    const std::string path = set;
     setenv("PATH", folder_.c_str(), 1);
     const std::string failure = failureOf("plot x\n");
     setenv("PATH", path.c_str(), 1);

@@ -108,7 +108,7 @@ TEST(RevolvedSegment, RaysNearThePlaneOfRotationMeetTwice) {
 TEST(RevolvedSegment, JointsLetNothingThrough) {
     const Real k = 4.0 / 3 * std::tan(pi / 8);
     for (const auto& [size, height] : {Sized{1, 0}, Sized{1e-6, 0}, Sized{1000, 0}, Sized{1, 100}, Sized{1, -3}}) {
-        const auto at = [&](Real x, Real y) { return Vec3(size * x, size * y + height, 0); };
+        const auto at = [size = size, height = height](Real x, Real y) { return Vec3(size * x, size * y + height, 0); };
         const RevolvedSegment below(BezierCurve({at(0, -1), at(k, -1), at(1, -k), at(1, 0)}));
         const RevolvedSegment above(BezierCurve({at(1, 0), at(1, k), at(k, 1), at(0, 1)}));
         for (std::uint64_t i = 0; i < 3000; ++i) {
@@ -135,7 +135,9 @@ TEST(RevolvedSegment, JointsLetNothingThrough) {
 TEST(RevolvedSegment, SearchEndsForALineWithinTheSurface) {
     for (const auto& [size, height] : sizes) {
         for (const Real top : {0.7, 0.3, -0.4}) {
-            const auto at = [&](Real x, Real y) { return Vec3(size * x, size * y + height, 0); };
+            const auto at = [size = size, height = height](Real x, Real y) {
+                return Vec3(size * x, size * y + height, 0);
+            };
             const Real step = (top - 0.7) / 3;
             const RevolvedSegment straight(
                 BezierCurve({at(0.7, -1), at(0.7 + step, -1.0 / 3), at(0.7 + 2 * step, 1.0 / 3), at(top, 1)}));

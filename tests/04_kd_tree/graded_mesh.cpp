@@ -27,7 +27,7 @@ Bounds3 cornersInBoth(const std::array<Vec3, 3>& triangle, const Bounds3& cell) 
         if (padded.contains(point)) found.extend(point);
     };
     for (std::size_t i = 0; i < 3; ++i) {
-        const Vec3 from = triangle[i];
+        const Vec3& from = triangle[i];
         const Vec3 way = triangle[(i + 1) % 3] - from;
         take(from);
         for (int axis = 0; axis < 3; ++axis) {

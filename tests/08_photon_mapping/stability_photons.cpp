@@ -61,7 +61,7 @@ TEST(PhotonSettings, OutOfRangeAreRefused) {
         PhotonMapperSettings settings = {.photons = 10};
         spoil(settings);
         try {
-            PhotonMapper(scene, sampler, filter, settings, 1);
+            const PhotonMapper refused(scene, sampler, filter, settings, 1);
             ADD_FAILURE() << what;
         } catch (const InputError& error) {
             EXPECT_NE(std::string(error.what()).find(what), std::string::npos) << error.what();

@@ -61,7 +61,7 @@ Color bruteForce(const std::vector<Photon>& photons, const MediumSpan& span, con
     return sum;
 }
 
-void expectSum(Real scale, const Color& sigmaT, std::shared_ptr<const PhaseFunction> phase,
+void expectSum(Real scale, const Color& sigmaT, const std::shared_ptr<const PhaseFunction>& phase,
                const BeamSettings& settings, const std::string& question) {
     const HomogeneousMedium medium(0.4 * sigmaT, 0.6 * sigmaT, phase);
     const std::vector<Photon> photons = photonsWithin(scale, 3000, 7);

@@ -19,7 +19,9 @@ public:
         int dimension = 0;
 
         /// By all three.
-        auto operator<=>(const Asked&) const = default;
+        bool operator<(const Asked& other) const {
+            return std::tie(stream, index, dimension) < std::tie(other.stream, other.index, other.dimension);
+        }
     };
 
     Real number(const PathName& path, Dimension dimension) const override {

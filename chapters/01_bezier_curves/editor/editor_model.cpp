@@ -86,6 +86,7 @@ EditorModel::EditorModel(const BezierSpline& spline, const std::string& file) {
         if (joints[i].continuity == Continuity::Gap)
             throw InputError({file, 0}, formatReal(joints[i].distance),
                              "segment " + std::to_string(i + 1) + " doesn't lead to the next one: there is a gap");
+        // NOLINTNEXTLINE(clang-analyzer-core.DivideZero): without segments there are no joints.
         nodes[(i + 1) % count].smooth = joints[i].continuity >= Continuity::G1;
     }
     if (spline.closed()) {  // the last node is the first one, met again

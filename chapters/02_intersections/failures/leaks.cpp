@@ -82,6 +82,7 @@ template <typename Method>
 std::int64_t countHitsBy(const std::vector<Ray>& rays, const std::vector<Vec3>& corners) {
     std::int64_t count = 0;
     for (const Ray& ray : rays) {
+        // NOLINTNEXTLINE(performance-unnecessary-copy-initialization): of one method it is the ray itself.
         const typename Method::Prepared prepared(ray);
         for (std::size_t i = 0; i < corners.size(); i += 3) {
             count += Method::hits(prepared, corners[i], corners[i + 1], corners[i + 2]) ? 1 : 0;

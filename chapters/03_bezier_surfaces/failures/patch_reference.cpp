@@ -126,8 +126,8 @@ private:
     // A line that grazes meets the boxes of pieces beside the one that it meets: as far along the line as a box is
     // wide, divided by the cosine. They are one meeting.
     void search(const Piece& piece, int depth) {
-        Long low;
-        Long high;
+        Long low = 0;
+        Long high = 0;
         window(piece, low, high);
         if (low > high) return;
         Long cosine = 0;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "figure/quantities.h"
@@ -8,11 +9,7 @@ namespace caustic {
 namespace {
 
 const ErrorPoint& lastOf(const std::vector<ErrorPoint>& all, Method method) {
-    const ErrorPoint* last = nullptr;
-    for (const ErrorPoint& point : all) {
-        if (point.method == method) last = &point;
-    }
-    return *last;
+    return *std::find_if(all.rbegin(), all.rend(), [&](const ErrorPoint& point) { return point.method == method; });
 }
 
 // Both rules after the same number of passes, the largest that both have done.

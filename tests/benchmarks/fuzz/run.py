@@ -19,7 +19,7 @@ from course_lib.terminal import Step, say
 HERE = Path(__file__).resolve().parent
 FOLDER = BUILD / "fuzz"
 CASES = ("each reader of files",)
-NEEDS = ("clang",)
+NEEDS = ("clang", "libclang-rt-dev", "libomp-dev")
 Target = namedtuple("Target", "name sources libraries")
 MESH = ["mesh/mesh_data.cpp", "mesh/polygon.cpp", "mesh/scalar_type.cpp"]
 TARGETS = (
