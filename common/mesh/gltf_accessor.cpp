@@ -86,9 +86,8 @@ void GltfAccessors::read(int accessor, int view, std::size_t offset, const Layou
     if (stride < element) fail(accessor, std::to_string(stride), "has a stride shorter than its elements");
     const bool fitsOnce = offset <= slice.byteLength && element <= slice.byteLength - offset;
     // NOLINTNEXTLINE(clang-analyzer-core.DivideZero): no type has a size of 0.
-    const bool fits =
-        layout.count == 0 || (fitsOnce && layout.count - 1 <= (slice.byteLength - offset - element) / stride);
-    if (!fits) fail(accessor, std::to_string(layout.count) + " elements", "ends after its buffer view");
+    const std::size_t most = fitsOnce ? 1 + (slice.byteLength - offset - element) / stride : 0;
+    if (layout.count > most) fail(accessor, std::to_string(layout.count) + " elements", "ends after its buffer view");
 
     const char* const begin = reinterpret_cast<const char*>(bytes.data()) + slice.byteOffset + offset;
     into.reserve(into.size() + layout.count * layout.components);
