@@ -420,8 +420,8 @@ function(caustic_tests name)
       add_dependencies(${target} ${name})
     endif()
     set(patience 300)
-    if(CAUSTIC_SANITIZE OR kind STREQUAL "large")
-      set(patience 6000)  # under a sanitizer tests take up to twenty times as long
+    if(CAUSTIC_SANITIZE OR CMAKE_BUILD_TYPE STREQUAL "Debug" OR kind STREQUAL "large")
+      set(patience 6000)  # under a sanitizer, or not optimised, tests take up to twenty times as long
     endif()
     set(environment "")
     if(CAUSTIC_SANITIZE MATCHES "thread")
