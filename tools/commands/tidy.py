@@ -1,7 +1,7 @@
 """clang-tidy on the sources of chapters, by the rules of .clang-tidy, and clang-format on their sources and headers.
 
 A file's chapter is that which adds it. Both read the files as they are, without precompiled headers, so that a forgotten include
-is found too. A file that was clean is not read again until it, a header that it includes, the rules or a tool change.
+is found too. A file that was clean is not read again until it, a header that it includes, the rules, this file or a tool change.
 """
 
 import concurrent.futures
@@ -11,6 +11,7 @@ import re
 import subprocess
 from pathlib import Path
 
+from chapter_order import INCLUDE
 from course_lib import cmake, green
 from course_lib.chapters import add_chapters_argument, all_chapters, choose_chapters
 from course_lib.checks import chapter_of
@@ -26,7 +27,6 @@ TIDY = ("clang-tidy", "--quiet", "-p", build_dir(PRESET), "--extra-arg=-Wno-unkn
 # In a test the analyzer's time goes into GoogleTest's own functions (13 of 18 s): it follows fewer of a test's calls.
 SHALLOW = ("--extra-arg=-Xclang", "--extra-arg=-analyzer-config", "--extra-arg=-Xclang", "--extra-arg=mode=shallow")
 SOURCES = re.compile(r"^(common|chapters|tests)/.*\.(cpp|h)$")
-INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
 CHECK_BY_NAME = re.compile(r"(?:^ *|,)([a-z][\w-]*)(?=,|$)", re.MULTILINE)
 # Of a library's header an error alone: what the analyzer thinks of its insides is not ours to mend.
 FINDING = re.compile(r"^(?:(?!/usr/).*warning|.*error): .*$", re.MULTILINE)
@@ -93,15 +93,15 @@ def included_by(name):
     """Those of our files that a file includes itself, found where the build looks: in its folder and those above, in common/ and
     tests/, and in its chapter's folder."""
     places = [*Path(name).parents, Path("common"), Path("tests"), Path("chapters", *Path(name).parts[1:2])]
-    named = INCLUDE.findall((ROOT / name).read_text())
+    named = [found[1] for found in map(INCLUDE.match, (ROOT / name).read_text().splitlines()) if found]
     return {os.path.normpath(place / path) for path in named for place in places if (ROOT / place / path).is_file()}
 
 
 def findings(files):
     """What the two tools say of the files, one line each."""
     memory = green.Memory()
-    inputs = {name: green.digest([green.toolchain(), green.files_digest([".clang-tidy", ".clang-format", *read_with(name)])])
-              for name in files}
+    rules = [".clang-tidy", ".clang-format", "tools/commands/tidy.py"]
+    inputs = {name: green.digest([green.toolchain(), green.files_digest([*rules, *read_with(name)])]) for name in files}
     due = [name for name in files if memory.passed(f"tidy {name}", inputs[name]) is None]
     found = []
     with Step(f"read {count(len(due), 'file')}, {len(files) - len(due)} clean before") as step, \
