@@ -8,9 +8,9 @@ import unittest
 from pathlib import Path
 
 from commands.bench import benchmarks, listing
-from course_lib.benchmarks import save_quantities
+from course_lib.benchmarks import option_parser, save_quantities
 from course_lib.packages import read_packages
-from course_lib.paths import ROOT
+from course_lib.paths import BUILD, FIGURES, ROOT
 
 
 class Benchmarks(unittest.TestCase):
@@ -38,6 +38,17 @@ class Benchmarks(unittest.TestCase):
                 shown = subprocess.run([sys.executable, "-B", script, "--help"], env=environment, capture_output=True, text=True)
                 self.assertEqual(shown.returncode, 0, shown.stderr)
                 self.assertIn("--csv FILE", shown.stdout)
+
+    def test_a_kept_table_is_written_only_when_that_is_asked_for(self):
+        kept = FIGURES / "04_kd_tree" / "rays.csv"
+        parser = option_parser("rays", "Rays.", kept)
+        self.assertEqual(parser.parse_args([]).table, BUILD / "bench" / "rays.csv")
+        self.assertEqual(parser.parse_args(["--record"]).table, kept)
+        for name in benchmarks():
+            text = (ROOT / "tests" / "benchmarks" / name / "run.py").read_text()
+            with self.subTest(name):
+                self.assertEqual("FIGURES /" in text, "option_parser(" in text and "__doc__, TABLE)" in text)
+                self.assertLessEqual(text.count("TABLE"), 2, "the table is where the options say; TABLE is for them alone")
 
     def test_what_was_measured_is_written_as_quantities(self):
         with tempfile.TemporaryDirectory() as folder:

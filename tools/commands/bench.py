@@ -1,6 +1,7 @@
 """Runs a side-by-side benchmark, tests/benchmarks/NAME/run.py; without a name it lists them.
 
 Each takes --csv FILE, which gets what was measured as rows of method, case, value, unit, reference, as quantity.csv has them.
+Tables that the repository keeps are written by --record only; else a run's table is in build/bench/.
 """
 
 import argparse

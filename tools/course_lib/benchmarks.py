@@ -36,10 +36,18 @@ def save_table(path, rows):
     say(f"  the table is {shown(path)}")
 
 
-def option_parser(name, text):
-    """The options that every benchmark takes; text: its docstring."""
+def option_parser(name, text, kept=None):
+    """The options that every benchmark takes; text: its docstring.
+
+    @param kept  the table that the repository keeps, if there is one: chosen.table is a file in build/bench/ unless --record
+                 says that the run shall take its place, so that a trial, a short run above all, changes nothing kept
+    """
     parser = argparse.ArgumentParser(prog=f"course bench {name}", description=text.partition("\n")[0])
     parser.add_argument("--csv", type=Path, metavar="FILE", help=f"what was measured, as rows of {', '.join(QUANTITY)}")
+    if kept is not None:
+        trial = BUILD / "bench" / kept.name
+        parser.add_argument("--record", dest="table", action="store_const", const=kept, default=trial,
+                            help=f"write {shown(kept)}, which the repository keeps, instead of {shown(trial)}")
     return parser
 
 

@@ -1,7 +1,7 @@
 """Instructions a path of chapter 07's methods, in five scenes each of which needs something more than the one before.
 
 Counted by valgrind's cachegrind, as the difference of two runs with more and with fewer paths, so that what a program takes to
-start isn't in it. Writes figures/07_path_tracing/instructions.csv.
+start isn't in it. --record writes figures/07_path_tracing/instructions.csv.
 """
 
 import re
@@ -15,6 +15,7 @@ from course_lib.paths import FIGURES, program
 from course_lib.terminal import Step, say, table
 
 CHAPTER = "07_path_tracing"
+TABLE = FIGURES / CHAPTER / "instructions.csv"
 SCENES = ("point lamp", "area lamp", "mirror", "glass", "absorption and textures")
 CASES = ("path tracing, light tracing and bidirectional path tracing in five scenes",)
 NEEDS = ("valgrind",)
@@ -34,7 +35,7 @@ def instructions(scene, method, samples):
 
 
 def main():
-    chosen = option_parser("instructions", __doc__).parse_args()
+    chosen = option_parser("instructions", __doc__, TABLE).parse_args()
     if shutil.which("valgrind") is None:
         raise CourseError("valgrind is missing, which counts the instructions; install Debian's package valgrind")
     cmake.build(targets=[CHAPTER])
@@ -47,7 +48,7 @@ def main():
                 step.progress(len(rows), len(SCENES) * len(METHODS))
     say(table((f"{name}, {case}", str(value)) for name, case, value in rows))
     rows = [(*row, "instructions per path", "counted by cachegrind") for row in rows]
-    save_table(FIGURES / CHAPTER / "instructions.csv", [QUANTITY, *rows])
+    save_table(chosen.table, [QUANTITY, *rows])
     save_quantities(chosen.csv, rows)
     return 0
 

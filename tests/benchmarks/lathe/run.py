@@ -1,8 +1,8 @@
 """The same vase by us and by POV-Ray's lathe: time a test, and where the two pictures differ.
 
 Both cast one ray a pixel from the same eye, on one thread, taking turns; the best of several runs counts. Of POV-Ray's time what a
-cylinder in the lathe's place takes is subtracted: rays, textures and output. Writes
-figures/03_bezier_surfaces/lathe.csv, and the difference of the heights that were hit as build/bench/lathe.pgm.
+cylinder in the lathe's place takes is subtracted: rays, textures and output. The difference of the heights that were hit is build/bench/lathe.pgm; --record
+writes figures/03_bezier_surfaces/lathe.csv.
 """
 
 import json
@@ -20,6 +20,7 @@ from course_lib.process import output_of
 from course_lib.terminal import Step, say
 
 CHAPTER = "03_bezier_surfaces"
+TABLE = FIGURES / CHAPTER / "lathe.csv"
 CASES = ("a vase seen from outside",)
 NEEDS = ("povray",)
 WIDTH = 600
@@ -38,7 +39,7 @@ background {{ rgb <0, 0, 0> }}
 
 
 def options():
-    parser = option_parser("lathe", __doc__)
+    parser = option_parser("lathe", __doc__, TABLE)
     parser.add_argument("--width", type=int, default=WIDTH, metavar="N", help=f"of the picture ({WIDTH} by default)")
     chosen = parser.parse_args()
     if not 16 <= chosen.width <= 2048:
@@ -132,7 +133,7 @@ def main():
         f"{float(rows[2][1]) / float(rows[1][1]):.2f} times as fast a test")
     say(f"  of {rays} pixels {only} are hit by one of the two alone, {apart} more than {SAME} apart in height: "
         f"{shown(picture)}")
-    save_table(FIGURES / CHAPTER / "lathe.csv", rows)
+    save_table(chosen.table, rows)
     save_quantities(chosen.csv, [
         *((row[0], "vase: a test of the shape", row[1], "ns", "POV-Ray") for row in rows[1:]),
         *((row[0], "vase: a ray", row[3], "ns", "POV-Ray") for row in rows[1:]),

@@ -1,7 +1,7 @@
 """Rays aimed at the edges and vertices of random closed meshes, from inside: how many each triangle test lets out.
 
 10^8 rays for each test at edges and as many at vertices, on new meshes every 10,000 rays; --rays N takes another
-number. Writes figures/02_intersections/leaks.csv; fails when the watertight test lets one out. What is counted is kept in
+number. --record writes figures/02_intersections/leaks.csv; fails when the watertight test lets one out. What is counted is kept in
 build/bench/ after each million, so that a run that was stopped goes on where it was.
 """
 
@@ -11,6 +11,7 @@ from course_lib.paths import FIGURES
 from course_lib.terminal import say
 
 CHAPTER = "02_intersections"
+TABLE = FIGURES / CHAPTER / "leaks.csv"
 CASES = ("closed mesh: rays at edges", "closed mesh: rays at vertices")
 NEEDS = ()
 RAYS = 100_000_000
@@ -19,7 +20,7 @@ ROBUST = "watertight"
 
 
 def options():
-    parser = option_parser("leaks", __doc__)
+    parser = option_parser("leaks", __doc__, TABLE)
     parser.add_argument("--rays", type=int, default=RAYS, metavar="N",
                         help=f"for each test at edges and as many at vertices; millions ({RAYS} by default)")
     chosen = parser.parse_args()
@@ -48,7 +49,7 @@ def main():
     lines += [[method, f"closed mesh: rays at {aim}", *total] for (method, aim), total in sums.items()]
     for (method, aim), (leaks, rays) in sums.items():
         say(f"  {method:<32} {aim:<9} {leaks:>11,} of {rays:,} leak")
-    save_table(FIGURES / CHAPTER / "leaks.csv", lines)
+    save_table(chosen.table, lines)
     save_quantities(chosen.csv, [(method, case, leaks, f"leaks of {rays} rays", "a closed mesh lets none out")
                                  for method, case, leaks, rays in lines[1:]])
     return 1 if any(leaks for (method, _), (leaks, _) in sums.items() if method == ROBUST) else 0

@@ -1,7 +1,7 @@
 """The photon tree of chapter 08 beside nanoflann: building, k nearest, fixed radius.
 
 Photons of the peers' box, and as many points in a cube. The three take turns in one process and one thread, and medians
-count. Writes figures/08_photon_mapping/points.csv; fails when a k-th distance differs from nanoflann's.
+count. --record writes figures/08_photon_mapping/points.csv; fails when a k-th distance differs from nanoflann's.
 """
 
 import csv
@@ -20,7 +20,7 @@ NEEDS = ("libnanoflann-dev",)
 
 
 def options():
-    parser = option_parser("points", __doc__)
+    parser = option_parser("points", __doc__, TABLE)
     parser.add_argument("--photons", type=int, default=100_000, metavar="N",
                         help="photons that set out; about three times as many points (100,000 by default)")
     parser.add_argument("--rounds", type=int, default=15, metavar="N", help="the median of N counts (15 by default)")
@@ -33,10 +33,11 @@ def main():
         raise CourseError("--photons must be at least 100, --rounds at least 1")
     ensure_packages("bench")
     cmake.build("native", targets=["bench_points"])
-    finished = subprocess.run([build_dir("native") / "bin" / "bench_points", TABLE, str(chosen.photons), str(chosen.rounds)])
+    chosen.table.parent.mkdir(parents=True, exist_ok=True)
+    finished = subprocess.run([build_dir("native") / "bin" / "bench_points", chosen.table, str(chosen.photons), str(chosen.rounds)])
     if finished.returncode != 0:
         raise CourseError("bench_points stopped; its own message stands above")
-    with TABLE.open(newline="") as file:
+    with chosen.table.open(newline="") as file:
         rows = list(csv.DictReader(file))
     save_quantities(chosen.csv, [
         ("photon tree", f"{row['points']}: {row['what']}", row["ratio_float"], "times as fast", "nanoflann in float")
@@ -45,7 +46,7 @@ def main():
     builds = [float(row["ratio_float"]) for row in rows if row["what"] == "build"]
     different = sum(int(row["differences"]) for row in rows)
     say(f"queries at least {min(queries):.2f} times as fast as nanoflann's, builds {min(builds):.2f}; {different} distances "
-        f"differ; all ratios are in {shown(TABLE)}")
+        f"differ; all ratios are in {shown(chosen.table)}")
     return 1 if different else 0
 
 

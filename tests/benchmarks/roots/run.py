@@ -1,7 +1,7 @@
 """Rays at difficult surfaces of revolution and patches, held against brute-force subdivision: what the robust method misses.
 
 10^7 random rays at each kind of surface and a tenth as many of each adversarial set; --rays N takes another number.
-Writes figures/03_bezier_surfaces/roots.csv; fails when the robust method loses a meeting, invents one, or is off by
+--record writes figures/03_bezier_surfaces/roots.csv; fails when the robust method loses a meeting, invents one, or is off by
 more than 1e-12 of the size. What is counted is kept in build/bench/ after each batch, so that a run that was stopped
 goes on where it was.
 """
@@ -12,6 +12,7 @@ from course_lib.paths import FIGURES
 from course_lib.terminal import say
 
 CHAPTER = "03_bezier_surfaces"
+TABLE = FIGURES / CHAPTER / "roots.csv"
 CASES = ("random and adversarial rays at surfaces of revolution and patches",)
 NEEDS = ()
 RAYS = 10_000_000
@@ -21,7 +22,7 @@ MOST_DISTANCE = 1e-12
 
 
 def options():
-    parser = option_parser("roots", __doc__)
+    parser = option_parser("roots", __doc__, TABLE)
     parser.add_argument("--rays", type=int, default=RAYS, metavar="N",
                         help=f"random rays at each kind of surface; a multiple of {BATCH} ({RAYS} by default)")
     chosen = parser.parse_args()
@@ -56,7 +57,7 @@ def main():
     for entry in sums:
         wrong = [entry["nearest"].get(method, {}).get("failures", "") for method in methods]
         lines.append([entry["surface"], entry["set"], *(entry[key] for key in SUMMED), entry["worstDistance"], *wrong])
-    save_table(FIGURES / CHAPTER / "roots.csv", lines)
+    save_table(chosen.table, lines)
     save_quantities(chosen.csv, [
         ("robust", f"{entry['surface']}, {entry['set']}: {what}", entry[key], unit, "brute-force subdivision")
         for entry in sums for what, key, unit in (("missed", "misses", f"of {entry['meetings']} meetings"),

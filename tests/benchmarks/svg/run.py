@@ -2,12 +2,11 @@
 
 Which paths are drawn, points at equal distances along each (getPointAtLength through getScreenCTM) and lengths where a
 transform only turns, moves and scales. The files of tests/01_bezier_curves/field are compared too, and a circle, whose
-length is known, to see whose arcs are to blame for what remains. Writes figures/01_bezier_curves/svg_paths.csv, or the
-file of --csv; fails when a path is drawn by one of the two alone, a point is off by more than 0.05 % of its path's
+length is known, to see whose arcs are to blame for what remains. --record writes figures/01_bezier_curves/svg_paths.csv;
+fails when a path is drawn by one of the two alone, a point is off by more than 0.05 % of its path's
 size, a length by more than 0.1 %, or ours refuses more than 1 % of the files.
 """
 
-import argparse
 import json
 import math
 import subprocess
@@ -15,7 +14,7 @@ import tempfile
 from pathlib import Path
 
 from course_lib import cmake
-from course_lib.benchmarks import end_with, save_table
+from course_lib.benchmarks import QUANTITY, end_with, option_parser, save_quantities, save_table
 from course_lib.errors import CourseError
 from course_lib.packages import ensure_packages
 from course_lib.paths import FIGURES, ROOT, program, shown
@@ -23,6 +22,7 @@ from course_lib.terminal import Step, say
 from docs.browser import Browser
 
 CHAPTER = "01_bezier_curves"
+TABLE = FIGURES / CHAPTER / "svg_paths.csv"
 CASES = ("icon theme and files from the field", "circle")
 NEEDS = ("chromium", "adwaita-icon-theme")
 ICONS = Path("/usr/share/icons/Adwaita")
@@ -96,10 +96,10 @@ def circles(browser):
     return ours / exact - 1, chromium / exact - 1
 
 
-def save(tally, circle, path):
+def measured(tally, circle):
     case = "icon theme and files from the field"
     reference = "Chromium"
-    rows = [("ours", f"{case}: files", tally.files, "files", ""),
+    return [("ours", f"{case}: files", tally.files, "files", ""),
             ("ours", f"{case}: refused with a reason", len(tally.refused), "files", ""),
             ("ours", f"{case}: drawn paths", tally.paths, "paths", reference),
             ("ours", f"{case}: of them moved by a transform", tally.moved, "paths", reference),
@@ -107,18 +107,10 @@ def save(tally, circle, path):
             ("ours", f"{case}: largest difference of a length", tally.length[0], "of the length", reference),
             ("ours", "circle: length off by", circle[0], "of the length", "2 pi r"),
             ("Chromium", "circle: length off by", circle[1], "of the length", "2 pi r")]
-    save_table(path, [("method", "case", "value", "unit", "reference"), *rows])
-
-
-def options():
-    parser = argparse.ArgumentParser(prog="course bench svg", description=__doc__.partition("\n")[0])
-    parser.add_argument("--csv", type=Path, default=FIGURES / CHAPTER / "svg_paths.csv", metavar="FILE",
-                        help="where the table goes")
-    return parser.parse_args()
 
 
 def main():
-    chosen = options()
+    chosen = option_parser("svg", __doc__, TABLE).parse_args()
     ensure_packages("test")
     cmake.build(targets=[CHAPTER])
     if not ICONS.is_dir():
@@ -128,11 +120,13 @@ def main():
     with Browser(timeout=300) as browser, Step(f"compare {len(files)} files"):
         tally = compare(files, browser, script)
         circle = circles(browser)
-    save(tally, circle, chosen.csv)
+    rows = measured(tally, circle)
+    save_table(chosen.table, [QUANTITY, *rows])
+    save_quantities(chosen.csv, rows)
 
     say(f"{tally.paths} drawn paths of {tally.files} files, {tally.moved} moved by transforms; the largest distance is "
         f"{tally.distance[0]:.2e} of the path's size, in {tally.distance[1]}, the largest difference of lengths "
-        f"{tally.length[0]:.2e}, in {tally.length[1]}; in {shown(chosen.csv)}")
+        f"{tally.length[0]:.2e}, in {tally.length[1]}; in {shown(chosen.table)}")
     say(f"a circle's length is off by {circle[0]:+.1e} here and by {circle[1]:+.1e} in Chromium, which makes fewer, longer "
         "cubics of an arc")
     for line in tally.refused + tally.wrong:

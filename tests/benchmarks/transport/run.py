@@ -1,8 +1,8 @@
 """The peers' box, ten seconds of one thread for each method of chapters 07 and 09: errors and paths a second.
 
 Error is the root mean square over linear RGB against a long converged picture, pixels within 2 of the lamp left out; time is
-the thread's own. Writes figures/07_path_tracing/transport.csv; fails when path tracing with MIS, bidirectional path tracing or SPPM
-by rule ① is further off than it should be.
+the thread's own. --record writes figures/07_path_tracing/transport.csv; fails when path tracing with MIS, bidirectional path
+tracing or SPPM by rule ① is further off than it should be.
 """
 
 import csv
@@ -14,6 +14,7 @@ from course_lib.paths import BUILD, FIGURES, program
 from course_lib.process import run_visibly
 from course_lib.terminal import say
 
+TABLE = FIGURES / "07_path_tracing" / "transport.csv"
 # How each chapter is asked, and what it calls its passes.
 CHAPTERS = {"07_path_tracing": (["--scene", "peers_box"], "samples"), "09_sppm": (["--errors", "peers_box"], "passes")}
 CASES = ("the peers' box",)
@@ -27,7 +28,7 @@ TARGETS = {"path tracing with MIS": (0.09, 0.103), "bidirectional path tracing":
 
 
 def options():
-    parser = option_parser("transport", __doc__)
+    parser = option_parser("transport", __doc__, TABLE)
     parser.add_argument("--seconds", type=float, default=SECONDS, metavar="S",
                         help=f"for each method ({SECONDS:g} by default; targets hold for that)")
     chosen = parser.parse_args()
@@ -60,7 +61,7 @@ def main():
             if target and chosen.seconds == SECONDS:
                 say(f"  {method}: {error:.4f}, to be at most {target}; others elsewhere {peer}")
                 missed += [method] if error > target else []
-    save_table(FIGURES / "07_path_tracing" / "transport.csv", lines)
+    save_table(chosen.table, lines)
     case = f"the peers' box, {chosen.seconds:g} s of one thread"
     save_quantities(chosen.csv, [
         row for method, seconds, _, rate, error, unit, _, _ in lines[1:]
