@@ -8,9 +8,9 @@ import tempfile
 import unittest
 from pathlib import Path
 
+from course_lib import ctest, provenance
 from course_lib.chapters import all_chapters
 from course_lib.paths import FIGURES, ROOT
-from course_lib import provenance
 
 
 def read_declarations(build_dir):
@@ -53,6 +53,20 @@ class Declarations(unittest.TestCase):
             self.assertEqual(owned - present, set(), f"{chapter}: not committed?")
             left_over = [name for name in present - owned if f'"{name}"' not in benchmarks]
             self.assertEqual(left_over, [], f"{chapter}: what made it?")
+
+
+class Programs(unittest.TestCase):
+    def test_what_a_chapters_tests_run_is_built_with_them(self):
+        build = Path(os.environ["CAUSTIC_BUILD_DIR"])
+        started = {}  # kind_NN -> the programs that its tests start
+        for entry in ctest.entries("release", ctest.of_kind("graded", "property", "stability", "large")):
+            number, kind = entry.labels[0].split(".")
+            programs = {Path(word).relative_to(build).as_posix() for word in entry.command if word.startswith(f"{build}/bin/")}
+            started.setdefault(f"{kind}_{number}", set()).update(programs)
+        for target, programs in started.items():
+            listed = subprocess.run(["ninja", "-C", build, "-t", "inputs", target], capture_output=True, text=True, check=True)
+            self.assertEqual(programs - {f"bin/{target}", *listed.stdout.split()}, set(),
+                             f"./course test {target[-2:]} in a fresh clone builds {target}; what builds these?")
 
 
 class FrontPage(unittest.TestCase):
