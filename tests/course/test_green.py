@@ -36,14 +36,17 @@ class Remembering(unittest.TestCase):
 class Inputs(unittest.TestCase):
     """On a made-up tree: each kind of check is due again after a change of what can change its outcome."""
 
-    FILES = {"tools/tool.py": "", "cmake/Caustic.cmake": "", "common/image/image.cpp": "", "common/tree/tree.cpp": "",
+    FILES = {"tools/tool.py": "", "cmake/Caustic.cmake": "", "common/core/check.h": "", "common/image/image.cpp": "",
+             "common/tree/tree.cpp": "",
              "chapters/01_curves/chart.gp": "", "chapters/04_tree/chart.gp": "", "tests/01_curves/graded_a.cpp": "",
              "tests/04_tree/graded_b.cpp": "", "tests/course/test_gates.py": "", "assets/cup.svg": "", "README.md": "",
              "figures/01_curves/cup.png": "", "build/release/bin/graded_01": "", "build/release/bin/01_curves": "",
              "build/release/bin/curves_ranks": ""}
-    TAGS = {"common/image/image.cpp": {"chapter": 1, "topic": "image"}, "common/tree/tree.cpp": {"chapter": 4, "topic": "tree"}}
+    TAGS = {"common/core/check.h": {"chapter": 1, "topic": "core"},
+            "common/image/image.cpp": {"chapter": 1, "topic": "image"},
+            "common/tree/tree.cpp": {"chapter": 4, "topic": "tree"}}
     PROGRAMS = {"01_curves": ["01_curves", "curves_ranks"], "04_tree": ["04_tree"]}
-    COURSE = {"gates_01": (), "gates_04": (), "chapters_01": (), "strip": ()}
+    COURSE = {"gates_01": (), "gates_04": (), "chapters_01": (), "strip": (), "grade": ("/course/alone.py",)}
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -73,7 +76,7 @@ class Inputs(unittest.TestCase):
         path.write_text(text)
 
     def inputs(self):
-        entries = [ctest.Entry(f"course.{name}", ("course",), ("/usr/bin/env",)) for name in self.COURSE]
+        entries = [ctest.Entry(f"course.{name}", ("course",), ("/usr/bin/env", *words)) for name, words in self.COURSE.items()]
         program = str(self.root / "build/release/bin/graded_01")
         entries.append(ctest.Entry("01.graded.A.B", ("01.graded",), (program, "--gtest_filter=A.B")))
         return {entry.check: checks.inputs_of([entry]) for entry in entries}
@@ -89,10 +92,11 @@ class Inputs(unittest.TestCase):
         for name, due in {
                 "README.md": {"strip"},
                 "figures/01_curves/cup.png": {"strip"},
-                "tools/tool.py": {"strip", "gates_01", "gates_04", "chapters_01"},
-                "tests/course/test_gates.py": {"strip", "gates_01", "gates_04", "chapters_01"},
-                "cmake/Caustic.cmake": {"strip", "gates_01", "gates_04"},
+                "tools/tool.py": {"strip", "grade", "gates_01", "gates_04", "chapters_01"},
+                "tests/course/test_gates.py": {"strip", "grade", "gates_01", "gates_04", "chapters_01"},
+                "cmake/Caustic.cmake": {"strip", "grade", "gates_01", "gates_04"},
                 "common/image/image.cpp": {"strip", "gates_01", "gates_04"},
+                "common/core/check.h": {"strip", "grade", "gates_01", "gates_04"},
                 "common/tree/tree.cpp": {"strip", "gates_04"},
                 "tests/01_curves/graded_a.cpp": {"strip", "gates_01", "gates_04"},
                 "tests/04_tree/graded_b.cpp": {"strip", "gates_04"},

@@ -6,10 +6,8 @@ import shutil
 import unittest
 
 import strip
-from course_lib.paths import ROOT
 from docs.builder import Builder
 from exercises.catalog import read_catalog
-from exercises.trees import source_files
 from schema_check import json_errors
 from toy_course import REAL, ToyCase, course, grade, outcomes
 
@@ -24,8 +22,6 @@ TOPIC_OF_SUPPORT = """caustic_topic(support USES core figure
   LIBRARIES GTest::gtest)
 """
 FRONT_PAGE = "# Toy\n\n| | chapter |\n| --- | --- |\n| 01 | [First](x) |\n| 02 | [Second](y) |\n\nEnd.\n"
-# Files that speak of what is to be filled without being such.
-SPEAK_OF_IT = ("tools/templates/", "tools/commands/new_chapter.py", "tests/course/test_new_chapter.py", "CONTRIBUTING.md")
 
 
 class NewChapter(ToyCase):
@@ -112,17 +108,6 @@ class NewChapter(ToyCase):
                 self.assertEqual(ended.returncode, 1)
                 self.assertIn(reason, ended.stderr)
                 self.assertEqual(ended.stderr.count("\n"), 1)
-
-
-class Filled(unittest.TestCase):
-    def test_nothing_of_the_template_is_left_in_this_tree(self):
-        left = []
-        for name in source_files():
-            if name.startswith(SPEAK_OF_IT) or not name.endswith((".md", ".h", ".cpp", ".json", ".txt", ".gp")):
-                continue
-            if re.search(r"\bFILL\b", (ROOT / name).read_text(encoding="utf-8")):
-                left.append(name)
-        self.assertEqual(left, [], "Which words of the template has nobody replaced?")
 
 
 if __name__ == "__main__":

@@ -14,6 +14,9 @@ from exercises.trees import files_to_build, source_files
 OF_A_CHAPTER = re.compile(r"^(?:chapters|tests)/(\d\d)_")
 OF_ONE_CHAPTER = re.compile(r"^course\.(gates|chapters)_(\d\d)$")
 CPP_CHECK = re.compile(r"^(\d\d)\.\w+$")
+ALONE = "alone.py"  # runs tests of the tools that need no chapter of this course, but the toy course's at most
+OF_THE_TOY = ("tools/", "tests/course/", "tests/support/", "common/core/", "common/figure/", "cmake/", "CMakePresets.json",
+              "packages.txt", ".gitignore", "course")
 READ_BY_NOBODY = re.compile(r"\.md$|^(docs|figures|\.devcontainer)/|^(LICENSE|\.gitignore|\.clang-format)$")
 
 
@@ -21,8 +24,14 @@ def inputs_of(entries, preset="release"):
     """The inputs of a check, given what ctest has of it."""
     check = entries[0].check
     commands = {Path(word) for entry in entries for word in entry.command if Path(word).is_absolute()}
+    alone = any(path.name == ALONE for path in commands)
     words = [green.toolchain(), *sorted(path for path in commands if path.is_file())]
-    return green.digest([*words, green.files_digest(files_of(check)), *programs_of(check, preset)])
+    return green.digest([*words, green.files_digest(seen_alone() if alone else files_of(check)), *programs_of(check, preset)])
+
+
+def seen_alone():
+    """All that is there for a test that alone.py runs: the tools and what the toy course is made of."""
+    return [name for name in source_files() if name.startswith(OF_THE_TOY)]
 
 
 def files_of(check):
