@@ -11,7 +11,6 @@ from pathlib import Path
 from course_lib import ctest, provenance
 from course_lib.chapters import all_chapters
 from course_lib.paths import FIGURES, ROOT
-from exercises.trees import source_files
 
 
 def read_declarations(build_dir):
@@ -76,20 +75,6 @@ class FrontPage(unittest.TestCase):
         for chapter in all_chapters():
             row = rf"^\| {chapter[:2]} \| .*\(chapters/{chapter}/README\.md\).*\(figures/{chapter}\)"
             self.assertIsNotNone(re.search(row, text, re.MULTILINE), f"README.md's table of chapters lacks {chapter}")
-
-
-class Filled(unittest.TestCase):
-    # Files that speak of what is to be filled without being such.
-    SPEAK_OF_IT = ("tools/templates/", "tools/commands/new_chapter.py", "tests/course/test_declarations.py", "CONTRIBUTING.md")
-
-    def test_nothing_of_the_template_is_left_in_this_tree(self):
-        left = []
-        for name in source_files():
-            if name.startswith(self.SPEAK_OF_IT) or not name.endswith((".md", ".h", ".cpp", ".json", ".txt", ".gp")):
-                continue
-            if re.search(r"\bFILL\b", (ROOT / name).read_text(encoding="utf-8")):
-                left.append(name)
-        self.assertEqual(left, [], "Which words of the template has nobody replaced?")
 
 
 class UpToAChapter(unittest.TestCase):
