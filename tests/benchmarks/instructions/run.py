@@ -1,7 +1,7 @@
 """Instructions a path of chapter 07's methods, in five scenes each of which needs something more than the one before.
 
 Counted by valgrind's cachegrind, as the difference of two runs with more and with fewer paths, so that what a program takes to
-start isn't in it. --record writes figures/07_path_tracing/instructions.csv.
+start isn't in it.
 """
 
 import re

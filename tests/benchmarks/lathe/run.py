@@ -1,8 +1,7 @@
 """The same vase by us and by POV-Ray's lathe: time a test, and where the two pictures differ.
 
 Both cast one ray a pixel from the same eye, on one thread, taking turns; the best of several runs counts. Of POV-Ray's time what a
-cylinder in the lathe's place takes is subtracted: rays, textures and output. The difference of the heights that were hit is build/bench/lathe.pgm; --record
-writes figures/03_bezier_surfaces/lathe.csv.
+cylinder in the lathe's place takes is subtracted: rays, textures and output. The difference of the heights that were hit is build/bench/lathe.pgm.
 """
 
 import json

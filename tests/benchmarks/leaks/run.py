@@ -1,8 +1,8 @@
 """Rays aimed at the edges and vertices of random closed meshes, from inside: how many each triangle test lets out.
 
 10^8 rays for each test at edges and as many at vertices, on new meshes every 10,000 rays; --rays N takes another
-number. --record writes figures/02_intersections/leaks.csv; fails when the watertight test lets one out. What is counted is kept in
-build/bench/ after each million, so that a run that was stopped goes on where it was.
+number. Fails when the watertight test lets one out. What is counted is kept in build/bench/ after each million, so that
+a run that was stopped goes on where it was.
 """
 
 from course_lib import cmake

@@ -1,7 +1,7 @@
 """The photon tree of chapter 08 beside nanoflann: building, k nearest, fixed radius.
 
 Photons of the peers' box, and as many points in a cube. The three take turns in one process and one thread, and medians
-count. --record writes figures/08_photon_mapping/points.csv; fails when a k-th distance differs from nanoflann's.
+count. Fails when a k-th distance differs from nanoflann's.
 """
 
 import csv

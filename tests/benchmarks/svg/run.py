@@ -2,9 +2,9 @@
 
 Which paths are drawn, points at equal distances along each (getPointAtLength through getScreenCTM) and lengths where a
 transform only turns, moves and scales. The files of tests/01_bezier_curves/field are compared too, and a circle, whose
-length is known, to see whose arcs are to blame for what remains. --record writes figures/01_bezier_curves/svg_paths.csv;
-fails when a path is drawn by one of the two alone, a point is off by more than 0.05 % of its path's
-size, a length by more than 0.1 %, or ours refuses more than 1 % of the files.
+length is known, to see whose arcs are to blame for what remains. Fails when a path is drawn by one of the two alone, a
+point is off by more than 0.05 % of its path's size, a length by more than 0.1 %, or ours refuses more than 1 % of the
+files.
 """
 
 import json

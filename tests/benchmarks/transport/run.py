@@ -1,8 +1,8 @@
 """The peers' box, ten seconds of one thread for each method of chapters 07 and 09: errors and paths a second.
 
 Error is the root mean square over linear RGB against a long converged picture, pixels within 2 of the lamp left out; time is
-the thread's own. --record writes figures/07_path_tracing/transport.csv; fails when path tracing with MIS, bidirectional path
-tracing or SPPM by rule ① is further off than it should be.
+the thread's own. Fails when path tracing with MIS, bidirectional path tracing or SPPM by rule ① is further off than it
+should be.
 """
 
 import csv
