@@ -146,8 +146,8 @@ endfunction()
 
 add_custom_target(headers COMMENT "Each header compiles by itself")
 
-# Each header compiles by itself (tools/check_header.py), again when it or a file that it includes changes. Target headers; not a
-# part of `all`.
+# Each header compiles by itself (tools/check_header.py), again when it or a file that it includes changes. Target headers, or
+# headers_<NN> for those that chapter <n> adds; not a part of `all`.
 function(_caustic_check_header out header target)
   set(checked "${CMAKE_BINARY_DIR}/headers/${header}.checked")
   cmake_path(GET checked PARENT_PATH checked_folder)
@@ -248,10 +248,17 @@ function(caustic_topic topic)
       add_library(${target} INTERFACE)
       set(scope INTERFACE)
     endif()
+    set(checked_headers "")
     foreach(header IN LISTS headers)
       _caustic_check_header(checked "${folder}/${header}" ${target})
       list(APPEND checked_headers "${checked}")
     endforeach()
+    add_custom_target(headers_${topic}_${nn} DEPENDS ${checked_headers})
+    if(NOT TARGET headers_${nn})
+      add_custom_target(headers_${nn})
+      add_dependencies(headers headers_${nn})
+    endif()
+    add_dependencies(headers_${nn} headers_${topic}_${nn})
     list(TRANSFORM headers PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/")
     target_sources(${target} ${scope} FILE_SET HEADERS BASE_DIRS "${include_root}" FILES ${headers})
     target_link_libraries(${target} ${scope} caustic_options ${lower} ${libraries_${tag}})
@@ -265,8 +272,6 @@ function(caustic_topic topic)
       set_property(GLOBAL APPEND_STRING PROPERTY CAUSTIC_FILE_TAGS "${folder}/${file} ${topic} ${tag}\n")
     endforeach()
   endforeach()
-  add_custom_target(headers_${topic} DEPENDS ${checked_headers})
-  add_dependencies(headers headers_${topic})
 endfunction()
 
 # Interface target with everything that chapter <n> may use: caustic_upto_<NN>.

@@ -55,6 +55,22 @@ class Declarations(unittest.TestCase):
             self.assertEqual(left_over, [], f"{chapter}: what made it?")
 
 
+def ninja_inputs(target):
+    """All that ninja makes or reads for a target."""
+    command = ["ninja", "-C", os.environ["CAUSTIC_BUILD_DIR"], "-t", "inputs", target]
+    return set(subprocess.run(command, capture_output=True, text=True, check=True).stdout.split())
+
+
+class Headers(unittest.TestCase):
+    def test_each_is_checked_by_itself_with_its_chapter(self):
+        declared = {name: f"headers_{file['chapter']:02d}" for name, file in DECLARATIONS["files"].items() if name.endswith(".h")}
+        for target in sorted(set(declared.values())):
+            checked = {path.removeprefix(f"{ROOT}/") for path in ninja_inputs(target) if path.endswith(".h")}
+            self.assertEqual(checked, {name for name in declared if declared[name] == target}, target)
+        checked = {path.removeprefix(f"{ROOT}/") for path in ninja_inputs("headers") if path.endswith(".h")}
+        self.assertEqual(checked, set(declared))
+
+
 class Programs(unittest.TestCase):
     def test_what_a_chapters_tests_run_is_built_with_them(self):
         build = Path(os.environ["CAUSTIC_BUILD_DIR"])
@@ -64,8 +80,7 @@ class Programs(unittest.TestCase):
             programs = {Path(word).relative_to(build).as_posix() for word in entry.command if word.startswith(f"{build}/bin/")}
             started.setdefault(f"{kind}_{number}", set()).update(programs)
         for target, programs in started.items():
-            listed = subprocess.run(["ninja", "-C", build, "-t", "inputs", target], capture_output=True, text=True, check=True)
-            self.assertEqual(programs - {f"bin/{target}", *listed.stdout.split()}, set(),
+            self.assertEqual(programs - {f"bin/{target}"} - ninja_inputs(target), set(),
                              f"./course test {target[-2:]} in a fresh clone builds {target}; what builds these?")
 
 

@@ -140,7 +140,7 @@ def numbers(chapters):
 def run_release(parts, chapters, everything):
     targets = () if everything else (*chapters, *test_programs(chapters))
     parts.step("build", lambda: cmake.build(targets=targets) and None)
-    parts.step("headers by themselves", check_headers)
+    parts.step("headers by themselves", lambda: check_headers(None if everything else numbers(chapters)))
     parts.step("who includes whom", check_order)
     selections = release_selections(chapters, everything)
     if everything:
@@ -160,9 +160,13 @@ def release_selections(chapters, everything):
     return {**selections, "tests of the test kit": of_label("support"), "tests of the tools": of_label("course")}
 
 
-def check_headers():
-    cmake.build(targets=["headers"], title="headers by themselves")
-    headers = [name for name in declarations()["files"] if name.endswith(".h")]
+def check_headers(chosen):
+    """Checks the headers that these chapters add (None: all)."""
+    chapter_of = {name: f"{file['chapter']:02d}" for name, file in declarations()["files"].items() if name.endswith(".h")}
+    headers = [name for name, chapter in chapter_of.items() if chosen is None or chapter in chosen]
+    if headers:
+        cmake.build(targets=["headers"] if chosen is None else sorted({f"headers_{chapter_of[name]}" for name in headers}),
+                    title="headers by themselves")
     return count(len(headers), "header")
 
 

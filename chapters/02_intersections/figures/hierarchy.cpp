@@ -91,7 +91,7 @@ void drawHierarchy(FigureContext& context) {
     const auto large = placed(wheel(8, hanging, 1), Transform());
     const auto foot = std::make_shared<RingCylinder>(0.5, 0.9, -1.45, -1.35);
     const ShapePointer carousel = group({post, foot, large, small});
-    const int samples = context.byQuality(3, 6);
+    const int samples = context.byQuality(2, 6);
     context.progress().expect(2);
 
     Drawing drawing(2 * side + 20, side + top);

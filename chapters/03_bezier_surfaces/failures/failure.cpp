@@ -9,7 +9,7 @@ void chartFailures(FigureContext& context) {
     const auto revolutionSets = revolutionSetNames();
     const auto patchSets = patchSetNames();
     context.progress().expect(static_cast<std::int64_t>(revolutionSets.size() + patchSets.size()));
-    const std::int64_t rays = context.byQuality<std::int64_t>(1'600, 16'000);
+    const std::int64_t rays = context.byQuality<std::int64_t>(400, 16'000);
     std::vector<FailureRow> rows;
     const auto add = [&](const std::string& name, const RootExamination& count) {
         for (const NearestCount& method : count.nearest) {

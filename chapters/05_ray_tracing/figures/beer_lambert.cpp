@@ -13,7 +13,7 @@ void drawBeerLambert(FigureContext& context) {
             caption, [&context, bunny, perUnit](int width, int height) {
                 const SceneObject glass = {.shape = bunny, .material = clearGlass(), .interior = glassOf(perUnit)};
                 return takePicture(meshScene(glass, width, height),
-                                   {context.byQuality(2, 4), {.maxDepth = 10, .leastWeight = 1e-3, .shadowSamples = 2}},
+                                   {context.byQuality(1, 4), {.maxDepth = 10, .leastWeight = 1e-3, .shadowSamples = 2}},
                                    context);
             }};
     };

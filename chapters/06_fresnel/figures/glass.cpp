@@ -13,7 +13,7 @@ namespace caustic {
 namespace {
 
 void drawGlass(std::shared_ptr<const Material> glass, const std::string& png, FigureContext& context) {
-    const int perAxis = context.byQuality(2, 4);
+    const int perAxis = context.byQuality(1, 4);
     const Scene scene(glassScene(std::move(glass), 900, 560));
     const StratifiedSampler sampler(context.seed(), perAxis);
     const TentFilter filter;

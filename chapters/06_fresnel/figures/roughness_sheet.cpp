@@ -16,7 +16,7 @@ namespace {
 Tile ballTile(const std::string& caption, std::shared_ptr<const Material> material, bool glass,
               FigureContext& context) {
     return {caption, [&context, material = std::move(material), glass](int width, int height) {
-                const int perAxis = context.byQuality(3, 9);
+                const int perAxis = context.byQuality(2, 9);
                 const Scene scene(ballScene(material, glass, width, height));
                 const StratifiedSampler sampler(context.seed(), perAxis);
                 const TentFilter filter;

@@ -224,7 +224,7 @@ std::vector<FailureRow> failureRows(const FailureTrials& trials) {
 }
 
 void chartFailures(FigureContext& context) {
-    drawFailureBars(failureRows(FailureTrials::of(context, context.byQuality(1000, 2000))), context);
+    drawFailureBars(failureRows(FailureTrials::of(context, context.byQuality(200, 2000))), context);
 }
 
 }  // namespace caustic

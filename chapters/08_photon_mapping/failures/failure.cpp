@@ -288,6 +288,8 @@ std::vector<FailureRow> failureRows(const FailureTrials& trials) {
         trials);
 }
 
-void chartFailures(FigureContext& context) { drawFailureBars(failureRows(FailureTrials::of(context, 1000)), context); }
+void chartFailures(FigureContext& context) {
+    drawFailureBars(failureRows(FailureTrials::of(context, context.byQuality(200, 1000))), context);
+}
 
 }  // namespace caustic

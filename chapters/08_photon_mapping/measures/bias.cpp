@@ -42,7 +42,7 @@ void chartBias(FigureContext& context) {
     const FloorCaustic floor(context);
     const std::vector<int> ks = {2, 4, 8, 16, 32, 64, 128, 256, 512};
     constexpr std::int64_t photons = 64'000;
-    const int maps = context.byQuality(4, 8);
+    const int maps = context.byQuality(2, 8);
     CsvTable table({"method", "setting", "bias", "noise", "error_unit"});
     const std::vector<std::pair<std::string, Real>> filters = {{"no filter", 0}, {"cone filter", 1}};
     const std::size_t runs = filters.size() * ks.size();
