@@ -61,7 +61,7 @@ void measure(Run& run, const Image& reference, std::int64_t mostSamples, std::ui
 const ConvergencePoints& ChapterRuns::convergence(FigureContext& context) {
     if (convergence_) return *convergence_;
     const auto& scenes = measuredScenes();
-    const std::int64_t mostSamples = context.byQuality(16, 256);
+    const std::int64_t mostSamples = context.byQuality(8, 256);
     std::vector<Run> runs;
     std::vector<Image> references;
     for (const MeasuredScene& scene : scenes) {
