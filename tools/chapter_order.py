@@ -120,16 +120,24 @@ def parse_dependencies(listing, build_dir, root=ROOT):
 
 
 def header_units(declarations, build_dir, root=ROOT):
-    """As parse_dependencies, of each header that was compiled by itself (target headers)."""
+    """As parse_dependencies, of each header that was compiled by itself (target headers) since one of its files changed."""
     root, build_dir = root.resolve(), build_dir.resolve()
     units = []
     for name in declarations["files"]:
-        opened = build_dir / "headers" / f"{name}.checked.d"
-        if opened.exists() and opened.with_suffix("").exists():
+        mark = build_dir / "headers" / f"{name}.checked"
+        opened = mark.with_name(f"{mark.name}.d")
+        if mark.exists() and opened.exists():
             words = opened.read_text().partition(": ")[2].replace("\\\n", " ")
             paths = [path.replace("\\ ", " ") for path in re.split(r"(?<!\\)\s+", words) if path]
-            units.append((name, [path for path in inside(paths, build_dir, root) if path != name]))
+            found = inside(paths, build_dir, root)
+            if all(is_older(root / path, mark) for path in found if path in declarations["files"]):
+                units.append((name, [path for path in found if path != name]))
     return units
+
+
+def is_older(path, mark):
+    """Whether a file is still there and has not changed since another one was written."""
+    return path.exists() and path.stat().st_mtime_ns <= mark.stat().st_mtime_ns
 
 
 def relative(path, build_dir, root):

@@ -58,7 +58,7 @@ class Declarations(unittest.TestCase):
 def ninja_inputs(target):
     """All that ninja makes or reads for a target."""
     command = ["ninja", "-C", os.environ["CAUSTIC_BUILD_DIR"], "-t", "inputs", target]
-    return set(subprocess.run(command, capture_output=True, text=True, check=True).stdout.split())
+    return set(subprocess.run(command, capture_output=True, text=True, check=True).stdout.splitlines())
 
 
 class Headers(unittest.TestCase):

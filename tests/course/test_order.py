@@ -1,5 +1,6 @@
 """tools/chapter_order.py finds every kind of include that the course forbids, and nothing else."""
 
+import os
 import tempfile
 import unittest
 from pathlib import Path
@@ -76,6 +77,7 @@ class ChapterOrder(unittest.TestCase):
         self.assertIn("accel does not use topic curve", rule)
 
     def test_a_header_that_is_compiled_by_itself_counts_as_that_header(self):
+        self.write("common/accel/tree.h", "")
         self.write("common/curve/curve.h", '#include "accel/tree.h"\n')
         checked = "build/release/headers/common/curve/curve.h.checked"
         self.write(f"{checked}.d", f"{checked}: /dev/null /usr/include/math.h \\\n {self.root}/common/curve/curve.h \\\n "
@@ -86,6 +88,10 @@ class ChapterOrder(unittest.TestCase):
         found = chapter_order.violations(units, chapter_order.Order(DECLARATIONS), self.root)
         self.assertEqual([(v.includer, v.line, v.included) for v in found],
                          [("common/curve/curve.h", 1, "common/accel/tree.h")])
+
+        later = (self.root / checked).stat().st_mtime + 1
+        os.utime(self.root / "common/accel/tree.h", (later, later))
+        self.assertEqual(chapter_order.header_units(DECLARATIONS, self.build, self.root), [], "Was it checked as it is now?")
 
     def test_an_undeclared_file_is_found(self):
         self.write("common/curve/curve.cpp", '#include "curve/secret.h"\n')

@@ -164,9 +164,9 @@ def check_headers(chosen):
     """Checks the headers that these chapters add (None: all)."""
     chapter_of = {name: f"{file['chapter']:02d}" for name, file in declarations()["files"].items() if name.endswith(".h")}
     headers = [name for name, chapter in chapter_of.items() if chosen is None or chapter in chosen]
-    if headers:
-        cmake.build(targets=["headers"] if chosen is None else sorted({f"headers_{chapter_of[name]}" for name in headers}),
-                    title="headers by themselves")
+    targets = sorted({f"headers_{chapter_of[name]}" for name in headers})
+    if targets:
+        cmake.build(targets=targets, title="headers by themselves")
     return count(len(headers), "header")
 
 
