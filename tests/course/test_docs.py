@@ -17,7 +17,7 @@ class Markdown(SmallTree):
     def test_formulas(self):
         self.assert_converts("a $x^2$, $y_i$.", r"a \f$x^2\f$, \f$y_i\f$.")
         self.assert_converts("$$\na\n+ b\n$$", r"\f[ a + b \f]")
-        self.assert_converts("| $a$ | $b$ |", r"| \f$a\f$ | \f$b\f$ |")
+        self.assert_converts("| $a$ | $b$ |\n| --- | --- |", r"| \f$a\f$ | \f$b\f$ |" + "\n| --- | --- |")
 
     def test_what_is_no_formula(self):
         for text in ("from 5$ to 6$", "US$5 and US$6", r"\$x and \$y", "$ x $", "`$x$` and ``a`$x$``"):
@@ -101,6 +101,7 @@ class Problems(SmallTree):
         self.assert_problem("![x](https://example.org/x.png)", 3, "without a network")
         self.assert_problem(r"\snippet common/curve/curve.cpp ex-01.1", 3, "[code: ex-NN.k]")
         self.assert_problem("| a |\n| --- |\n| $|x|$ |", 5, "write \\lvert")
+        self.assert_problem("| a |\n| --- |\n| b |\n\n| c |\n| d |", 7, "an empty line within the table")
         self.assert_problem("<!-- site: moons -->", 3, "generates no 'moons'")
 
     def test_none_in_a_tree_without_mistakes(self):

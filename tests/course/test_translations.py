@@ -6,10 +6,9 @@ from collections import Counter
 from pathlib import PurePosixPath
 
 from course_lib.paths import ROOT
-from docs.markdown import GENERATED, INLINE, SLIDER, SNIPPET_LINE
+from docs.markdown import GENERATED, INLINE, SLIDER, SNIPPET_LINE, TABLE_RULE
 from docs.tree import CHINESE, FENCE, HEADING, Tree, english
 
-TABLE_RULE = re.compile(r"^\|[\s:|-]+\|$")
 ITEM = re.compile(r"^\s*(-|\d\.) ")
 EXERCISE = re.compile(r"^\| (ex-\d\d\.\d+) \|.*?\| (`[^|]+`) \| (\d+) \| (\d+) \|", re.MULTILINE)
 NUMBER = re.compile(r"\d+(?:[.,]\d+)*")

@@ -22,6 +22,8 @@ GENERATED = re.compile(r"^<!-- site: ([a-z]+) -->\s*$")
 # Two pictures of one size, a border between them that the reader moves: each a picture of the tree, or a panel of one
 # ("bunnies.png#3", counted from 1), and what it is called.
 SLIDER = re.compile(r'^<!-- site: slider (\S+) "([^"]+)" (\S+) "([^"]+)" -->\s*$')
+# Below a table's first row.
+TABLE_RULE = re.compile(r"^\|[\s:|-]+\|$")
 # Doxygen would give each paragraph within <details> a box of its own.
 DETAILS = re.compile(r"^\s*(</?details.*|<summary>.*)$")
 # Where the site keeps files of the tree that it shows or links to and that are no page.
@@ -95,6 +97,7 @@ class Converter:
                 while end < len(lines) and lines[end].strip() and not FENCE.match(lines[end]) \
                         and not self._is_alone(lines[end]):
                     end += 1
+                self._check_table(lines[index:end])
                 out.append(self._inline("\n".join(lines[index:end])))
             index = end
         return "\n".join(out) + "\n"
@@ -173,6 +176,13 @@ class Converter:
             self._complain(f"there is no picture {path}{'#' + panel if panel else ''}")
         url = f"{PANELS_FOLDER}/{path[:-len('.png')]}-{panel}.png" if panel else f"{FILES_FOLDER}/{path}"
         return f'<img src="{html.escape(url)}" alt="{html.escape(name)}" />'
+
+    def _check_table(self, lines):
+        """An empty line ends a table; what comes below it would be shown as it stands."""
+        first = 0 if lines[0].strip() else 1  # of a paragraph, the empty line above it aside
+        if lines[first:] and lines[first].startswith("|") and not TABLE_RULE.match("".join(lines[first + 1:first + 2])):
+            self._line += first
+            self._complain("a table's row without a head above it; is there an empty line within the table?")
 
     # Inside a paragraph
 
