@@ -11,7 +11,8 @@ Below a paragraph, a list or a table of a lesson a comment, which no page shows,
 
 Left is what the paragraph says, word for word, and in brackets what that is in digits where it isn't. Right are the table, its
 column (`value` where none is named; failures / trials where a table has these) and cells that one row alone has; a second
-row's cells after ÷ mean the quotient. `mean of` before the table takes the geometric mean of all rows that have the cells.
+row's cells after ÷ mean the quotient. `mean of` before the table takes the geometric mean of all rows that have the cells. A page
+of docs/ names the chapter's folder too: 04_kd_tree/rays.csv.
 """
 
 import csv
@@ -26,7 +27,7 @@ from course_lib.paths import ROOT
 
 BLOCK = re.compile(r"^<!-- numbers\n(.*?)\n-->$", re.MULTILINE | re.DOTALL)
 ENTRY = re.compile(r"(?P<text>.+?)(?: \((?P<stated>[^()]+)\))? = "
-                   r"(?P<mean>mean of )?(?P<table>\w+\.csv)(?: (?P<column>\w+))?: (?P<rows>.+)")
+                   r"(?P<mean>mean of )?(?P<table>[\w/]+\.csv)(?: (?P<column>\w+))?: (?P<rows>.+)")
 STATED = re.compile(r"(?P<bound>about|over|under)?\s*(?P<number>[-−]?\d[\d,]*(?:\.\d+)?(?:e-?\d+)?)")
 ABOUT = 0.25  # of the number: what is measured by the clock differs from day to day
 PARAGRAPH = re.compile(r"(?:.+\n)+")  # or a list, a table, a formula: what stands between two empty lines
@@ -91,7 +92,7 @@ def problems(text, folder):
         said = " ".join(paragraph[:block.start() if block else None].split())
         if block:
             found += [problem for line in block[1].splitlines() for problem in problems_of(line, said, folder)]
-        elif "<!-- numbers" in paragraph:
+        elif "\n<!-- numbers" in "\n" + paragraph:
             found.append(f"not understood: {paragraph}")
     return found
 
@@ -118,6 +119,11 @@ class Numbers(unittest.TestCase):
                 text = (ROOT / "chapters" / chapter / "README.md").read_text(encoding="utf-8")
                 self.assertIn("<!-- numbers", text)
                 self.assertEqual(problems(text, ROOT / "figures" / chapter), [])
+
+    def test_other_pages_do(self):
+        for page in (ROOT / "docs").glob("*.md"):
+            with self.subTest(page=page.name):
+                self.assertEqual(problems(page.read_text(encoding="utf-8"), ROOT / "figures"), [])
 
     def test_a_number_agrees_with_what_rounds_to_it(self):
         for stated, value in (("1.4 times", 1.4369), ("1.4", 1.35), ("about 8,000", 8151), ("over 1e12", 6.2e12), ("under 0", 0.0),
