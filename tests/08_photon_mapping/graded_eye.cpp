@@ -58,16 +58,16 @@ TEST(Eye, SeesDirectLightOnce) {
                  std::make_shared<ConeLight>(lamp, Vec3(-0.2, -2, 0), 0.5, intensity)));
     const Vec3 target(2.9, 0, -1);
     const Color expected = rho / pi * intensity * 2 / std::pow((lamp - target).norm(), 3);
+    const Ray ray(Vec3(4, 1, 0), (target - Vec3(4, 1, 0)).normalized());
     for (const MapUse use : uses) {
         PhotonMapperSettings settings = {.photons = 60'000, .use = use, .density = {.nearest = 2000, .radius = 0.2}};
-        const Color found = seen(scene, settings, {Vec3(4, 1, 0), (target - Vec3(4, 1, 0)).normalized()}, 20);
+        const Color found = seen(scene, settings, ray, 20);
         expectSeen(found, expected, use == MapUse::Everything ? 0.12 : 1e-9,
                    "Is the light that comes straight from the lamp there, and there once?");
     }
     const PhotonMapperSettings single = {
         .photons = 1, .use = MapUse::Everything, .density = {.nearest = {}, .radius = 3}};
-    EXPECT_GT(seen(scene, single, {Vec3(4, 1, 0), (target - Vec3(4, 1, 0)).normalized()}, 1).minCoeff(), 0)
-        << "Is a map of one photon empty?";
+    EXPECT_GT(seen(scene, single, ray, 1).minCoeff(), 0) << "Is a map of one photon empty?";
 }
 
 // A cone of light is thrown onto the floor by a mirror: direct light finds nothing. The same lamp behind the mirror
@@ -114,6 +114,20 @@ TEST(Eye, SeesIndirectLightOnce) {
         EXPECT_LT(((found[i] - direct) / mean).maxCoeff(), 1.4) << "Does any light count twice?";
     }
     expectSeen(found[1], found[0], 0.1, "Do both uses of photons show the same?");
+}
+
+// A lamp that shines away from all there is leaves no photon anywhere.
+TEST(Eye, AsksNothingOfAnEmptyMap) {
+    const Scene scene(
+        describe({object(std::make_shared<Plane>(Vec3::Zero(), Vec3::UnitY()), std::make_shared<DiffuseMaterial>(rho))},
+                 std::make_shared<ConeLight>(Vec3(3, 2, -1), Vec3(0.2, 2, 0), 0.5, intensity)));
+    for (const MapUse use : uses) {
+        const PhotonMapper mapper(scene, sampler, filter, {.photons = 1000, .use = use}, 1);
+        RayCounts counts;
+        const Color found = mapper.Li({Vec3(4, 1, 0), -Vec3::UnitY()}, {}, sampler.start(0, {0, 0}, 0), counts);
+        EXPECT_TRUE((found == 0).all()) << "What light is there? found " << found.transpose();
+        EXPECT_EQ(counts.rays, 1) << "Who sends rays to gather from a map that holds nothing?";
+    }
 }
 
 // At a point where a medium scatters no photons lie; what it gets straight from the lamp is seen all the same.
