@@ -130,12 +130,16 @@ TEST(Eye, AsksNothingOfAnEmptyMap) {
     }
 }
 
-// At a point where a medium scatters no photons lie; what it gets straight from the lamp is seen all the same.
+// At a point where a medium scatters no photons lie; what it gets straight from the lamp is seen all the same. Those on
+// the floor below are a surface's.
 TEST(Eye, SeesDirectLightInAMedium) {
     SceneObject fog = object(std::make_shared<Box>(Vec3(-1, -1, -1), Vec3(1, 1, 1)), nullptr);
     fog.interior = Interior{1, std::make_shared<test::ColouredFog>(Color::Zero(), Color::Constant(0.02)), 0};
-    const Scene scene(describe({fog, object(std::make_shared<Box>(Vec3(-9, -9, -9), Vec3(9, 9, 9)),
-                                            std::make_shared<DiffuseMaterial>(Color::Zero()))},
+    const Scene scene(describe({fog,
+                                object(std::make_shared<Box>(Vec3(-9, -9, -9), Vec3(9, 9, 9)),
+                                       std::make_shared<DiffuseMaterial>(Color::Zero())),
+                                object(std::make_shared<Rectangle>(Vec3(-3, -1.1, -3), Vec3(0, 0, 6), Vec3(6, 0, 0)),
+                                       std::make_shared<DiffuseMaterial>(Color::Constant(0.9)))},
                                std::make_shared<PointLight>(Vec3(0, 3, 0), intensity)));
     for (const MapUse use : {MapUse::Indirect, MapUse::Gather}) {
         const Color found = seen(scene, {.photons = 2000, .use = use}, {Vec3(-5, 0, 0), Vec3::UnitX()}, 20'000);
@@ -147,7 +151,7 @@ TEST(Eye, SeesDirectLightInAMedium) {
             const Real way = 1 + x + std::sqrt(squared) / 3;
             expected += 0.02 / (4 * pi) * intensity * std::exp(-0.02 * way) / squared / 500;
         }
-        expectSeen(found, expected, 0.25, "Is direct light sampled where a medium scatters, too?");
+        expectSeen(found, expected, 0.25, "Is direct light, and nothing else, sampled where a medium scatters, too?");
     }
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <optional>
 
 #include "integrator/photon_tracer.h"
 #include "light/cone_light.h"
@@ -12,6 +13,7 @@
 #include "material/diffuse_material.h"
 #include "material/mirror_material.h"
 #include "material/refraction_material.h"
+#include "material/rough_dielectric_material.h"
 #include "medium/absorbing_medium.h"
 #include "mesh/triangle_mesh.h"
 #include "sampling/independent_sampler.h"
@@ -19,6 +21,7 @@
 #include "shape/plane.h"
 #include "shape/sphere.h"
 #include "support/coloured_fog.h"
+#include "support/varnish.h"
 
 namespace caustic {
 namespace {
@@ -203,6 +206,17 @@ TEST(Split, EachLobeGetsItsShare) {
     EXPECT_LE(unsplit, 700) << "Without a split each goes one way. After how many vertices is none split any more?";
 }
 
+// Between two black planes lies a surface of your choice, under a cone of light.
+Scene between(std::shared_ptr<const Material> material, std::optional<Interior> interior) {
+    const SceneObject surface = {std::make_shared<Plane>(Vec3(0, 0, 0), Vec3::UnitY()), std::move(material),
+                                 std::move(interior), nullptr};
+    const auto black = [](Real y) -> SceneObject {
+        return {std::make_shared<Plane>(Vec3(0, y, 0), Vec3::UnitY()), diffuse(Color::Zero()), {}, nullptr};
+    };
+    return Scene(describe({surface, black(-1), black(3)},
+                          {std::make_shared<ConeLight>(Vec3(2, 1, 5), Vec3(0.5, -1, 0.2), 0.3, intensity)}));
+}
+
 // A surface that spreads light sends a split photon on into one direction, with what it reflects.
 TEST(Split, SurfacesThatSpreadLightSendItOnOnce) {
     const Room room;
@@ -215,6 +229,33 @@ TEST(Split, SurfacesThatSpreadLightSendItOnOnce) {
         EXPECT_EQ(photon.way, photon.length > 1 ? PhotonWay::Indirect : PhotonWay::Direct);
     }
     for (int length = 1; length <= 4; ++length) EXPECT_EQ(lengths[length], 600) << "length " << length;
+
+    // One may mirror light and spread it: then the mirrored part is one, whatever is sampled for the other.
+    const Color mirrored(0.3, 0.1, 0.2);
+    const Color spread(0.5, 0.8, 0.1);
+    const Color each = 2 * pi * (1 - std::cos(0.3)) * intensity / 700;
+    int parts[2] = {};
+    const Scene varnished = between(std::make_shared<test::VarnishMaterial>(mirrored, spread), {});
+    for (const Photon& photon : traced(varnished, {.limits = {2, 9}, .splits = 1}, 700)) {
+        if (photon.length == 1) continue;
+        const bool byMirror = photon.way == PhotonWay::Caustic;
+        ++parts[byMirror ? 1 : 0];
+        const Color expected = each * (byMirror ? mirrored : Color(spread / 0.6));
+        EXPECT_LE((photon.power - expected).abs().maxCoeff(), 1e-12) << (byMirror ? "mirrored" : "spread");
+    }
+    EXPECT_EQ(parts[1], 700) << "Does the mirrored part set out once more when a sample happens to be mirrored?";
+    EXPECT_NEAR(parts[0], 420, 60) << "Of ten samples six are spread. What if there is none?";
+}
+
+// Nearly all light that meets rough glass goes on; radiance, which is denser in glass, is another matter.
+TEST(Split, RoughGlassKeepsThePower) {
+    const Scene glass = between(std::make_shared<RoughDielectricMaterial>(0.2, 0.2), Interior{1.5, nullptr, 0});
+    Color sum = Color::Zero();
+    for (const Photon& photon : traced(glass, {.limits = {2, 9}, .splits = 1}, 700))
+        if (photon.length == 2) sum += photon.power;
+    const Color share = sum / (2 * pi * (1 - std::cos(0.3)) * intensity);
+    EXPECT_GT(share.minCoeff(), 0.95) << "A photon is power. Which mode carries it?";
+    EXPECT_LT(share.maxCoeff(), 1.001);
 }
 
 // Parts go different ways from where they arrive: each has numbers of its own. On the inside of a sphere a chord leaves
