@@ -9,7 +9,7 @@ void chartFailures(FigureContext& context) {
     const std::vector<FailureRow> inMedia =
         countFailures(volumeKinds(), FailureTrials::of(context, context.byQuality(100, 1000)));
     rows.insert(rows.end(), inMedia.begin(), inMedia.end());
-    drawFailureMarks(rows, context);
+    drawFailureBars(rows, context);
 }
 
 }  // namespace caustic

@@ -115,7 +115,7 @@ std::vector<FailureKind> mapKinds() {
     return {
         {"flat normal map: the same bits?", {{"2c/255 − 1"}, {"(c − 128)/127", true}}, flatMap},
         {"grazing dent: mirrors what is above?", {{"normals as they are"}, {"normals bent", true}}, grazingDent},
-        {"seam and poles: bright, and has a density?",
+        {"seam and poles: has a bright place a density?",
          {{"whole pixels"}, {"cells between pixels", true}},
          seamAndPoles},
         {"one-pixel sun: found by 64 samples?", {{"even directions"}, {"by brightness", true}}, onePixelSun},
