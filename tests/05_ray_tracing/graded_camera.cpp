@@ -29,11 +29,11 @@ Real angleBetween(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).n
 // The field of view is given from the lower to the upper edge, whichever of them is first on the film.
 TEST(PinholeCamera, EdgesSpanTheFieldOfView) {
     const PinholeCamera camera = Place{}.camera();
-    const Vec3 first = camera.sampleRay({40, 0}, {}).direction;
-    const Vec3 last = camera.sampleRay({40, 40}, {}).direction;
+    const Vec3 first = camera.sampleRay({40, 0}, Vec2::Zero()).direction;
+    const Vec3 last = camera.sampleRay({40, 40}, Vec2::Zero()).direction;
     EXPECT_NEAR(angleBetween(first, last), 0.8, 1e-12) << "How high is the film at distance 1?";
     EXPECT_NEAR(angleBetween(first, Place{}.forward()), 0.4, 1e-12) << "Is the middle of the film in the middle?";
-    EXPECT_NEAR(angleBetween(camera.sampleRay({40, 20}, {}).direction, Place{}.forward()), 0, 1e-12)
+    EXPECT_NEAR(angleBetween(camera.sampleRay({40, 20}, Vec2::Zero()).direction, Place{}.forward()), 0, 1e-12)
         << "Is the middle of the film in the middle?";
 }
 
@@ -41,9 +41,10 @@ TEST(PinholeCamera, EdgesSpanTheFieldOfView) {
 TEST(PinholeCamera, TheFirstRowShowsWhatIsAbove) {
     const Place place;
     const PinholeCamera camera = place.camera();
-    EXPECT_GT(camera.sampleRay({40, 1}, {}).direction.dot(place.up()), 0) << "Which way does y go on the film?";
-    EXPECT_LT(camera.sampleRay({40, 39}, {}).direction.dot(place.up()), 0);
-    EXPECT_GT(camera.sampleRay({79, 20}, {}).direction.dot(place.right()), 0) << "Which way does x go?";
+    EXPECT_GT(camera.sampleRay({40, 1}, Vec2::Zero()).direction.dot(place.up()), 0)
+        << "Which way does y go on the film?";
+    EXPECT_LT(camera.sampleRay({40, 39}, Vec2::Zero()).direction.dot(place.up()), 0);
+    EXPECT_GT(camera.sampleRay({79, 20}, Vec2::Zero()).direction.dot(place.right()), 0) << "Which way does x go?";
 }
 
 // 20 pixels to the right and 20 pixels up are the same angle, also on a film that isn't square; and as many pixels in a
@@ -51,12 +52,12 @@ TEST(PinholeCamera, TheFirstRowShowsWhatIsAbove) {
 TEST(PinholeCamera, PixelsAreSquare) {
     const Place place;
     const PinholeCamera camera = place.camera();
-    const Vec3 middle = camera.sampleRay({40, 20}, {}).direction;
-    const Real sideways = angleBetween(middle, camera.sampleRay({60, 20}, {}).direction);
-    const Real upwards = angleBetween(middle, camera.sampleRay({40, 0}, {}).direction);
+    const Vec3 middle = camera.sampleRay({40, 20}, Vec2::Zero()).direction;
+    const Real sideways = angleBetween(middle, camera.sampleRay({60, 20}, Vec2::Zero()).direction);
+    const Real upwards = angleBetween(middle, camera.sampleRay({40, 0}, Vec2::Zero()).direction);
     EXPECT_NEAR(sideways, upwards, 1e-12) << "Is the width of the film in the same unit as its height?";
     const auto onFilm = [&](Real x, Real y) -> Vec2 {
-        const Vec3 direction = camera.sampleRay({x, y}, {}).direction;
+        const Vec3 direction = camera.sampleRay({x, y}, Vec2::Zero()).direction;
         return Vec2(direction.dot(place.right()), direction.dot(place.up())) / direction.dot(place.forward());
     };
     for (const Vec2& film : {Vec2(0, 0), Vec2(71.25, 3.5), Vec2(80, 40), Vec2(-7, 33.75), Vec2(12.5, 46)}) {

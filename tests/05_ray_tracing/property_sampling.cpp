@@ -185,17 +185,17 @@ TEST(PinholeCamera, ImportanceAndDensityAreTheFilmsSolidAngle) {
     const PinholeCamera camera = exampleCamera();
     const Real h = 1e-4;
     for (const Vec2& film : {Vec2(30, 20), Vec2(1, 2), Vec2(55, 31)}) {
-        const Vec3 centre = camera.sampleRay(film, {}).direction;
-        const Vec3 du =
-            (camera.sampleRay(film + Vec2(h, 0), {}).direction - camera.sampleRay(film - Vec2(h, 0), {}).direction) /
-            (2 * h);
-        const Vec3 dv =
-            (camera.sampleRay(film + Vec2(0, h), {}).direction - camera.sampleRay(film - Vec2(0, h), {}).direction) /
-            (2 * h);
+        const Vec3 centre = camera.sampleRay(film, Vec2::Zero()).direction;
+        const Vec3 du = (camera.sampleRay(film + Vec2(h, 0), Vec2::Zero()).direction -
+                         camera.sampleRay(film - Vec2(h, 0), Vec2::Zero()).direction) /
+                        (2 * h);
+        const Vec3 dv = (camera.sampleRay(film + Vec2(0, h), Vec2::Zero()).direction -
+                         camera.sampleRay(film - Vec2(0, h), Vec2::Zero()).direction) /
+                        (2 * h);
         const Real solidAngle = std::abs(centre.dot(du.cross(dv)));  // of a pixel
-        const auto seen = camera.sampleImportance(camera.sampleRay(film, {}).at(2), {});
+        const auto seen = camera.sampleImportance(camera.sampleRay(film, Vec2::Zero()).at(2), Vec2::Zero());
         EXPECT_NEAR(seen->We * seen->cosine * solidAngle, 1, 1e-6);
-        EXPECT_NEAR(camera.pdf(camera.sampleRay(film, {})).pdfW * solidAngle * 60 * 40, 1, 1e-6);
+        EXPECT_NEAR(camera.pdf(camera.sampleRay(film, Vec2::Zero())).pdfW * solidAngle * 60 * 40, 1, 1e-6);
     }
     EXPECT_EQ(camera.pdf({{1, 2, 3}, {0, 0, 1}}).pdfW, 0) << "away from the film";
 }
