@@ -58,7 +58,7 @@ TEST(Eye, SeesDirectLightOnce) {
                  std::make_shared<ConeLight>(lamp, Vec3(-0.2, -2, 0), 0.5, intensity)));
     const Vec3 target(2.9, 0, -1);
     const Color expected = rho / pi * intensity * 2 / std::pow((lamp - target).norm(), 3);
-    const Ray ray(Vec3(4, 1, 0), (target - Vec3(4, 1, 0)).normalized());
+    const Ray ray{Vec3(4, 1, 0), (target - Vec3(4, 1, 0)).normalized()};
     for (const MapUse use : uses) {
         PhotonMapperSettings settings = {.photons = 60'000, .use = use, .density = {.nearest = 2000, .radius = 0.2}};
         const Color found = seen(scene, settings, ray, 20);
