@@ -13,6 +13,8 @@ Left is what the paragraph says, word for word, and in brackets what that is in 
 column (`value` where none is named; failures / trials where a table has these) and cells that one row alone has; a second
 row's cells after ÷ mean the quotient. `mean of` before the table takes the geometric mean of all rows that have the cells. A page
 of docs/ names the chapter's folder too: 04_kd_tree/rays.csv.
+
+A number agrees when the value rounds to it; `about` allows a quarter, `over` is the least value, `under` the greatest, signs aside.
 """
 
 import csv
@@ -71,7 +73,7 @@ def agrees(stated, value):
     if matched["bound"] == "about":
         return abs(value - number) <= ABOUT * abs(number)
     if matched["bound"]:
-        return value >= number if matched["bound"] == "over" else value <= number
+        return value >= number if matched["bound"] == "over" else abs(value) <= number
     return abs(value - number) <= 0.5000001 * place(digits)
 
 
@@ -129,7 +131,7 @@ class Numbers(unittest.TestCase):
         for stated, value in (("1.4 times", 1.4369), ("1.4", 1.35), ("about 8,000", 8151), ("over 1e12", 6.2e12), ("under 0", 0.0),
                               ("1,300", 1349), ("−0.3 %", -0.304), ("2.0", 1.996)):
             self.assertTrue(agrees(stated, value), (stated, value))
-        for stated, value in (("1.3 times", 1.4369), ("1.4", 1.46), ("about 20", 10), ("over 8", 7.9), ("under 0", 1),
+        for stated, value in (("1.3 times", 1.4369), ("1.4", 1.46), ("about 20", 10), ("over 8", 7.9), ("under 0", 1), ("under 0.05", -0.06),
                               ("1,300", 1351), ("−0.3 %", 0.304), ("2.0", 1.94)):
             self.assertFalse(agrees(stated, value), (stated, value))
 

@@ -40,7 +40,7 @@ def add_arguments(parser):
     parser.add_argument("--large", action="store_true", help="the large tests, and nothing else")
     parser.add_argument("--coverage", action="store_true", help="line coverage by the chapters, and nothing else")
     parser.add_argument("--walk", action="store_true",
-                        help="a student's way through all chapters, and nothing else: minutes, an hour if nothing is compiled yet")
+                        help="a student's way through all chapters, and nothing else: minutes, more if little is compiled yet")
     parser.add_argument("--again", action="store_true", help="run also what passed and has not changed since")
     parser.add_argument("--preset", choices=("release", *FULL_PRESETS), default="release",
                         help="run the C++ tests as another preset builds them, and nothing else")
